@@ -1,4 +1,4 @@
-// Numbers and points as numpy arrays of their own.
+// Numbers and points as numpy arrays that own their memory.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -13,7 +13,7 @@ inline pybind11::array_t<double> array_of(const std::vector<double>& values) {
     return pybind11::array_t<double>(static_cast<pybind11::ssize_t>(values.size()), values.data());
 }
 
-// A row for each point: x, y.
+// One row for each point: x, y.
 inline pybind11::array_t<double> array_of(const std::vector<Point>& points) {
     pybind11::array_t<double> array({static_cast<pybind11::ssize_t>(points.size()), pybind11::ssize_t{2}});
     auto rows = array.mutable_unchecked<2>();

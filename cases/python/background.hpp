@@ -1,5 +1,4 @@
-// Work that takes a while: without Python's lock, with progress told to a callback, and ended by Ctrl-C as Python
-// people expect.
+// Long work from Python: without Python's lock, with a callback for progress, and ended by Ctrl-C as usual in Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,7 +11,7 @@
 
 namespace delabole {
 
-// Takes what the work tells from any thread, and stops it when asked to.
+// Receives the progress from any thread, and stops the work when asked to.
 class BackgroundWatch {
   public:
     void tell(double share, std::string what);
@@ -20,7 +19,7 @@ class BackgroundWatch {
     const std::atomic<bool>* stop_flag() const { return &stop_; }
 
     void stop() { stop_ = true; }
-    // Calls progress(share, what) if there is something new.
+    // Calls progress(share, what) if there is new progress.
     void pass_on(const pybind11::object& progress);
 
   private:
@@ -31,7 +30,7 @@ class BackgroundWatch {
     std::string what_;
 };
 
-// Tells the share done of `what`, for work that goes on while its watch says true.
+// A function that reports the share done of `what`; it returns whether the work is to continue.
 inline std::function<bool(double)> telling(BackgroundWatch& watch, std::string what) {
     return [&watch, what = std::move(what)](double share) {
         watch.tell(share, what);
@@ -39,9 +38,9 @@ inline std::function<bool(double)> telling(BackgroundWatch& watch, std::string w
     };
 }
 
-// Does the work in a thread of its own. `progress` (None: nobody asks) is called in the caller's thread, which looks
-// for signals meanwhile. What either raises, KeyboardInterrupt among it, ends the work and is raised once it has ended;
-// what the work throws is thrown.
+// Does the work in a thread of its own. `progress` (None if not wanted) is called in the caller's thread, which also
+// checks for signals. An exception raised by either, such as KeyboardInterrupt, ends the work and is raised after that;
+// an exception of the work is passed on.
 void in_background(const pybind11::object& progress, const std::function<void(BackgroundWatch&)>& work);
 
 }  // namespace delabole

@@ -97,8 +97,8 @@ std::size_t place_among(const std::vector<Quantity>& quantities, const std::stri
     return *place;
 }
 
-// Columns of equal length, by the names of inputs; returns the outputs asked for, the number of the cause of failure of
-// each point, and the causes.
+// Evaluates the case at `count` points. `inputs` holds columns of equal length by the names of inputs. Returns the
+// outputs asked for, for each point the number of its cause of failure, and the list of causes.
 py::tuple evaluate_case(const CaseObject& object, const std::map<std::string, Column>& inputs, std::size_t count,
                         const std::vector<std::string>& outputs, const py::object& progress, int threads) {
     const ModelInterface model = interface_of(object.file.model);
@@ -133,11 +133,12 @@ const SensitivityStudy& sensitivity_of(const CaseFile& file) {
     return *file.sensitivity;
 }
 
-// Samples of the uncertain parameters of [sensitivity], by name; what is absent is as in its propagation.
+// Samples of the uncertain parameters of [sensitivity], by name; arguments that are absent are taken from its
+// propagation.
 py::dict sample_case(const CaseObject& object, std::optional<long> samples, const std::optional<std::string>& method,
                      std::optional<std::uint64_t> seed) {
     const SensitivityStudy& study = sensitivity_of(object.file);
-    // This raises every complaint about distributions and correlations.
+    // This raises every complaint about distributions and correlations; the problem itself is not needed.
     sensitivity_problem_of(object.file, 1, seed);
     PropagationSettings settings = study.propagation.value_or(PropagationSettings{});
     settings.samples = samples.value_or(settings.samples);

@@ -1,4 +1,4 @@
-// Case: a case that was read, as a Python object.
+// Case: a case after reading, as a Python object.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"

@@ -61,7 +61,7 @@ py::dict dict_of(const MisfitMap& map) {
     return dict;
 }
 
-// Draws of each parameter as an array of chains by draws: of every chain as many as the shortest has.
+// Draws of each parameter as an array of chains by draws; all chains are cut to the length of the shortest.
 py::dict chains_of(const Posterior& posterior, const std::vector<FreeParameter>& parameters) {
     std::vector<std::vector<const Draw*>> chains;
     for (const Draw& draw : posterior.draws) {
@@ -141,7 +141,8 @@ FitProgressCallback telling(BackgroundWatch& watch) {
     };
 }
 
-// Adds the studies that are asked for beyond the fit: further measurements, and conclusions of others.
+// Adds the studies that the case asks for beyond the fit: expected information of measurements, and conclusions of
+// others.
 void add_studies(const FitProblem& problem, const FitResult& result, BackgroundWatch& watch, Json& json) {
     Report unused;
     const auto information = information_of(problem, result, {}, watch.stop_flag());

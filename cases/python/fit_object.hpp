@@ -14,14 +14,14 @@ namespace delabole {
 
 struct FitRequest {
     int threads = 1;
-    std::optional<std::uint64_t> seed;    // instead of the case's
-    std::vector<std::string> mechanisms;  // the only ones to be fitted; empty: all that are not costly
-    bool with_costly = false;             // and those
+    std::optional<std::uint64_t> seed;    // replaces the seed of the case
+    std::vector<std::string> mechanisms;  // only these are fitted; empty: all that are not costly
+    bool with_costly = false;             // the costly ones as well
 };
 
 pybind11::dict fit_of(const CaseFile& file, const pybind11::object& progress, const FitRequest& request);
 
-// The case has a [sensitivity] section.
+// The case needs a [sensitivity] section.
 pybind11::dict study_of(CaseFile file, const pybind11::object& progress, int threads,
                         std::optional<std::uint64_t> seed);
 

@@ -1,4 +1,4 @@
-// The extension module delabole._delabole: what the Python package of this folder is built on.
+// The extension module delabole._delabole, on which the Python package of this folder is built.
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/section.hpp"
 #include "cases/program/reader/unit_system.hpp"
@@ -51,7 +51,7 @@ py::list schema() {
 
 using RangeOfField = std::tuple<double, double, bool, bool>;
 
-// A number of a section in SI, from a text with its unit; or a complaint of the reader.
+// A number of a section in SI, from a text with its unit; raises the reader's complaint if it is wrong.
 double number_of(const std::string& section, const std::string& key, const py::object& given, int dimension,
                  const RangeOfField& range) {
     const auto& [lower, upper, lower_open, upper_open] = range;
@@ -69,7 +69,7 @@ double number_of(const std::string& section, const std::string& key, const py::o
     return *read;
 }
 
-// The exception's attribute `problems` lists them: file, line, column, key, value, message.
+// Raises the exception with an attribute `problems`, which lists file, line, column, key, value and message of each.
 void translate(const py::handle& case_error, std::exception_ptr thrown) {
     try {
         std::rethrow_exception(std::move(thrown));
@@ -91,7 +91,7 @@ void translate(const py::handle& case_error, std::exception_ptr thrown) {
 
 PYBIND11_MODULE(_delabole, module) {
     module.attr("__version__") = version();
-    // Never destroyed: other threads may raise it until the very end.
+    // This object is never destroyed, because other threads may raise it until the process ends.
     static const py::handle case_error = py::exception<CaseError>(module, "CaseError", PyExc_ValueError).release();
     case_error.attr("__module__") = "delabole";
     py::register_exception_translator([](std::exception_ptr thrown) { translate(case_error, std::move(thrown)); });

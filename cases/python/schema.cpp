@@ -13,7 +13,8 @@ namespace delabole {
 
 namespace {
 
-// "SlopeSection" of delabole::SlopeSection<double>, as g++ and clang++ write it: [with Type = delabole::SlopeSection...
+// The compilers write the type in a function's name as [with Type = delabole::SlopeSection...; this takes
+// "SlopeSection" out of it, also for delabole::SlopeSection<double>.
 template <class Type>
 std::string name_of_type() {
     const std::string_view text = std::source_location::current().function_name();
@@ -22,7 +23,7 @@ std::string name_of_type() {
     return std::string(text.substr(begin, text.find_first_of("<;]", begin) - begin));
 }
 
-// "PlaneFailure" of "plane_failure".
+// Turns "plane_failure" into "PlaneFailure".
 std::string in_camel_case(std::string_view words) {
     std::string name;
     bool begins = true;
@@ -55,7 +56,7 @@ class Description {
         classes_.push_back(std::move(made));
     }
 
-    // The name of the class of a section.
+    // The name of the class for a section; the class is made if it does not exist.
     template <class Section>
     std::string class_of(std::string_view meaning, std::string_view kind_key = {}, std::string_view kind = {}) {
         std::string name = name_of_type<Section>();
@@ -84,7 +85,7 @@ class Description {
         FieldSchema made{std::string(field.info.key), std::string(field.info.meaning)};
         made.optional = optional;
         describe<Member>(made, field.info);
-        // Two choices may share a key.
+        // Two alternatives of a choice may have the same key, which then occurs once.
         if (std::ranges::find(owner.fields, made.key, &FieldSchema::key) == owner.fields.end()) {
             owner.fields.push_back(std::move(made));
         }

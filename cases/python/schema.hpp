@@ -1,7 +1,7 @@
-// The described parameters (parameters/fields.hpp) of every model as data: of what the Python classes are made.
+// The described parameters (parameters/fields.hpp) of every model as data, from which the Python classes are generated.
 //
-// A class stands for a section of a case file. What is inlined there has no class of its own: its keys stand in the
-// class around it.
+// A class corresponds to a section of a case file. Inlined members have no class of their own; their keys belong to the
+// class around them.
 #pragma once
 
 #include "parameters/fields.hpp"
@@ -17,8 +17,8 @@ struct FieldSchema {
     enum class Kind {
         number,
         word,      // one of `words`
-        text,      // any
-        texts,     // a list of them
+        text,      // any text
+        texts,     // a list of texts
         section,   // of classes.front()
         choice,    // a section of one of the classes
         sections,  // a list of sections of classes.front()
@@ -27,7 +27,7 @@ struct FieldSchema {
     std::string key;
     std::string meaning;
     Kind kind = Kind::number;
-    bool optional = false;  // may be absent; the keys of an inlined choice always may
+    bool optional = false;  // may be absent; the keys of an inlined choice always may be
     Dimension dimension = Dimension::ratio;
     Interval range = {};  // SI
     std::vector<std::string> words = {};
@@ -41,14 +41,14 @@ constexpr std::array<std::string_view, 7> enum_names(FieldSchema::Kind) {
 struct ClassSchema {
     std::string name;
     std::string meaning;
-    // The key that tells this section from others of a choice, and its value; empty where there is no choice. Of a
-    // model: "model" and its name.
+    // The key that distinguishes this section from the others of a choice, and its value; empty if there is no choice.
+    // For a model they are "model" and its name.
     std::string kind_key = {};
     std::string kind = {};
     std::vector<FieldSchema> fields = {};
 };
 
-// The classes of all models; each stands behind those that it refers to.
+// The classes of all models; each follows those that it refers to.
 std::vector<ClassSchema> described_classes();
 
 }  // namespace delabole

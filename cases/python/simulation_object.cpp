@@ -31,9 +31,9 @@ const RelaxationStudy& relaxation_of(const CaseFile& file) {
     return *study;
 }
 
-// Arrays look into the memory of a simulation and keep it alive. What they show never changes: a simulation into which
-// one looks does not go on, a copy of it does, which is the same to the last bit. Where nobody looks, nothing is
-// copied.
+// Arrays refer to the memory of a simulation and keep it alive. Their values never change: a simulation to which an
+// array refers makes no further steps; a copy of it, identical to the last bit, continues instead. Without such an
+// array nothing is copied.
 class SimulationObject {
   public:
     SimulationObject(const CaseObject& object, const std::optional<std::string>& checkpoint, std::size_t threads) {
@@ -45,7 +45,7 @@ class SimulationObject {
         if (const SceneFault fault = check(scene, settings); fault.check != SceneCheck::valid) {
             throw CaseError({impossible(object.file, word_of(fault.check))});
         }
-        // Finding the equilibrium to begin with takes a while in large slopes.
+        // Finding the initial equilibrium takes a while in large slopes.
         const py::gil_scoped_release released;
         if (!checkpoint) {
             simulation_ = std::make_shared<Simulation>(std::move(scene), settings);
@@ -65,7 +65,7 @@ class SimulationObject {
         return *simulation_;
     }
 
-    // Returns how many steps were made: fewer where the run came to its end.
+    // Returns the number of steps made, which is less than `count` if the run came to its end.
     std::uint64_t step(std::uint64_t count) {
         return go_on(count, std::numeric_limits<double>::infinity(), py::none());
     }
@@ -75,7 +75,7 @@ class SimulationObject {
                      progress);
     }
 
-    // Columns of numbers that stand `bytes_apart` from each other, read only.
+    // A read-only array of rows that are `bytes_apart` from each other in memory.
     template <class Number>
     py::array look(const Number* first, std::size_t rows, std::size_t columns, std::size_t bytes_apart) const {
         now();
@@ -122,7 +122,7 @@ class SimulationObject {
         return simulation_->state().steps - first;
     }
 
-    // While steps are made without Python's lock.
+    // Sets the flag while steps are made without Python's lock.
     class Stepping {
       public:
         explicit Stepping(bool& flag) : flag_(&flag) { flag = true; }
@@ -151,7 +151,7 @@ py::array displacements(const SimulationObject& object) {
     return object.look(&motion.front().x, motion.size(), 2, sizeof(Motion));
 }
 
-// Displacements at the moment at which the run began, after the static solve.
+// Displacements at the beginning of the run, after the static solve.
 py::array first_displacements(const SimulationObject& object) {
     const std::vector<Motion>& origin = object.now().state().origin;
     return object.look(&origin.front().x, origin.size(), 2, sizeof(Motion));
@@ -190,7 +190,7 @@ py::array contact_blocks(const SimulationObject& object) {
     return object.look(reinterpret_cast<const std::uint32_t*>(blocks.data()), blocks.size(), 2, sizeof(ContactBlocks));
 }
 
-// The places of the corners of contacts now.
+// Present positions of the corners that are in contact.
 py::array_t<double> contact_points(const SimulationObject& object) {
     const Simulation& simulation = object.now();
     std::vector<PlanePoint<>> points;

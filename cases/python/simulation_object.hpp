@@ -1,4 +1,4 @@
-// Simulation: blocks in motion as a Python object.
+// Simulation: moving blocks as a Python object.
 #pragma once
 
 #include <pybind11/pybind11.h>

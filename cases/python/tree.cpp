@@ -12,7 +12,7 @@ namespace {
 
 constexpr int deepest = 32;
 
-// An integer that a double holds only in part is read as a real number, and refused by the range of its field.
+// Integers that a double cannot represent exactly are read as real numbers; the range of the field then rejects them.
 bool is_small_integer(const py::handle& object) {
     if (PyIndex_Check(object.ptr()) == 0) {
         return false;
@@ -27,7 +27,7 @@ Node tree_within(const py::handle& object, int depth) {
         throw py::type_error("a case is not nested deeper than " + std::to_string(deepest) + " levels");
     }
     if (py::isinstance<py::array>(object)) {
-        // As an integer numpy would hand out the whole part of what it holds.
+        // Asked for an integer, numpy would return only the whole part of its number.
         const py::array array = py::reinterpret_borrow<py::array>(object);
         if (array.ndim() != 0) {
             throw py::type_error("one number is needed, not an array of " + std::to_string(array.ndim()) +

@@ -1,4 +1,4 @@
-// Python's dictionaries, lists, numbers and texts as the tree of a case, and back.
+// Conversion of Python's dictionaries, lists, numbers and texts to the tree of a case, and back.
 #pragma once
 
 #include "cases/program/reader/document.hpp"
@@ -7,7 +7,7 @@
 
 namespace delabole {
 
-// Raises TypeError for what a case file cannot hold.
+// Raises TypeError for a value that a case file cannot hold.
 Node tree_of(const pybind11::handle& object);
 pybind11::object object_of(const Node& node);
 

@@ -18,9 +18,9 @@ namespace delabole {
 
 namespace {
 
-// Sets the inputs to the values, computes the outputs; returns why there are none, or an empty text.
+// Sets the inputs to the values and computes the outputs. Returns the cause if there are none, otherwise an empty text.
 using PointModel = std::function<std::string_view(std::span<const double> values, std::span<double> outputs)>;
-// Makes the model of one thread, which may keep a state.
+// Makes the model for one thread; it may keep a state between points.
 using PointModelMaker = std::function<PointModel()>;
 
 PointModelMaker any_model(const CaseModel& model, const PointColumns& columns) {
@@ -45,7 +45,8 @@ PointModelMaker any_model(const CaseModel& model, const PointColumns& columns) {
     };
 }
 
-// Plane failure of given geometry, in place: no lists are made for a point.
+// Plane failure of given geometry. The numbers of the problem are changed in place, so that no lists are made for a
+// point.
 class PlanePoints {
   public:
     PlanePoints(const PlaneFailure<>& problem, const PointColumns& columns)
@@ -103,7 +104,7 @@ class PlanePoints {
 
 PointModelMaker model_of(const CaseModel& model, const PointColumns& columns) {
     const auto* study = std::get_if<PlaneFailureStudy<>>(&model);
-    // A search changes the geometry; a datum adds outputs.
+    // A search changes the geometry, and a datum adds outputs, so these cases need the general model.
     if (study == nullptr || study->critical || study->model.slope.toe_elevation) {
         return any_model(model, columns);
     }
@@ -114,7 +115,7 @@ PointModelMaker model_of(const CaseModel& model, const PointColumns& columns) {
     };
 }
 
-// Numbers of causes as they turn up, which depends on the threads.
+// Numbers of causes in the order in which the threads find them.
 class Causes {
   public:
     std::int16_t number_of(std::string_view cause) {
@@ -126,7 +127,7 @@ class Causes {
         return numbers_.emplace(cause, static_cast<std::int16_t>(numbers_.size() + 1)).first->second;
     }
 
-    // Numbers them alphabetically.
+    // Renumbers the causes alphabetically, so that the result does not depend on the threads.
     std::vector<std::string> put_in_order(std::span<std::int16_t> failures) const {
         std::vector<std::string> names;
         std::vector<std::int16_t> after(numbers_.size() + 1);
@@ -149,7 +150,7 @@ class Causes {
 
 std::vector<std::string> evaluate_points(const CaseModel& model, const PointColumns& columns, const PointWork& work) {
     constexpr std::size_t most_at_a_time = 4096;
-    // Models that take long are shared out, told of and ended one by one.
+    // Costly models are given to the threads one point at a time, so that each point is reported and can be stopped.
     const std::size_t at_a_time = interface_of(model).costly ? 1 : most_at_a_time;
     const std::size_t tasks = (columns.count + at_a_time - 1) / at_a_time;
     const PointModelMaker make = model_of(model, columns);

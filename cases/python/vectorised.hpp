@@ -1,4 +1,4 @@
-// A model at many points: columns of numbers in, columns of numbers out.
+// A model at many points: columns of numbers as input and as output.
 #pragma once
 
 #include "cases/program/case/model_list.hpp"
@@ -13,22 +13,22 @@
 namespace delabole {
 
 struct PointColumns {
-    std::size_t count = 0;                    // of points
-    std::vector<std::size_t> inputs;          // that differ from point to point, as interface_of(model) counts them
+    std::size_t count = 0;                    // number of points
+    std::vector<std::size_t> inputs;          // those that vary, as indices of the inputs of interface_of(model)
     std::vector<const double*> input_values;  // SI, `count` of each
-    std::vector<std::size_t> outputs;         // that are asked for, likewise
-    std::vector<double*> output_values;       // SI, `count` of each; NaN where a point has no answer
-    std::int16_t* failures;                   // of each point: 0, or the number of its cause, counted from 1
+    std::vector<std::size_t> outputs;         // those asked for, as indices of its outputs
+    std::vector<double*> output_values;       // SI, `count` of each; NaN if a point has no answer
+    std::int16_t* failures;                   // for each point 0, or the number of its cause, counted from 1
 };
 
 struct PointWork {
     int threads = 1;                           // >= 1; no answer depends on it
-    const std::atomic<bool>* stop = nullptr;   // what is not done once it is set is left as it is
-    std::function<void(double share)> tell{};  // from any thread
+    const std::atomic<bool>* stop = nullptr;   // once it is set, points not yet computed stay as they are
+    std::function<void(double share)> tell{};  // is called from any thread
 };
 
-// Returns the causes of failure in alphabetical order. The numbers are those of ModelInterface::predict to the last
-// bit, without what else that computes; a factor of safety of plane failure takes about 0.1 us.
+// Returns the causes of failure in alphabetical order. The outputs equal those of ModelInterface::predict to the last
+// bit, but nothing else is computed; a factor of safety of plane failure takes about 0.1 us.
 std::vector<std::string> evaluate_points(const CaseModel& model, const PointColumns& columns, const PointWork& work);
 
 }  // namespace delabole

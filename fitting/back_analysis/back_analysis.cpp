@@ -17,7 +17,7 @@ namespace delabole {
 
 namespace {
 
-// Evaluations to expect, for the progress report only.
+// Number of evaluations to expect, used only for the progress report.
 struct Expected {
     long starts = 0;
     long profiles = 0;
@@ -58,7 +58,7 @@ FitStatus status_of(MinimiseStatus status) {
     return FitStatus::no_valid_point;
 }
 
-// The data alone may prefer another place than data and priors together.
+// The least misfit of the data alone may lie elsewhere than that of data and priors together.
 std::vector<ProfileLikelihood> profiles_of_data(const Search& search, const MechanismFit& fit,
                                                 EvaluationCount& account) {
     std::vector<std::vector<double>> starts = {fit.best};
@@ -138,7 +138,7 @@ Mechanism coarse_of(Mechanism mechanism) {
     return mechanism;
 }
 
-// `misfit` outlives what is kept of a costly mechanism.
+// `misfit` has to outlive `costly`, whose surrogate refers to it.
 MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem, const Misfit& misfit,
                            double log_evidence_to_beat, CostlyRuns& costly, ProgressMeter& progress, StopFlag stop) {
     const Expected expected = expected_evaluations(mechanism, problem.settings);
@@ -172,7 +172,7 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
     if (valid) {
         fit.minima = found.minima;
         fit.best = found.best.point;
-        // A surrogate may take a jump for scatter.
+        // A surrogate may mistake a jump for scatter, so its scatter is not used if there is one.
         analyse_best(search, expected, by_surrogate && !jump ? costly.surrogate->scatter() : 0, found, fit);
     }
     fit.status = search.stopped() ? FitStatus::interrupted : status_of(found.best.status);
@@ -206,7 +206,7 @@ void add_posterior(const FitProblem& problem, std::size_t mechanism, const Costl
     }
 }
 
-// The evidence from which on a costly mechanism is worth more runs; -infinity where no other kind has been sampled.
+// Evidence above which a costly mechanism deserves more runs; -infinity if no other mechanism has been sampled.
 double log_evidence_to_beat(const FitProblem& problem, const FitResult& result) {
     double best = -std::numeric_limits<double>::infinity();
     for (const MechanismFit& fit : result.mechanisms) {

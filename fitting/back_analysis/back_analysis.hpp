@@ -1,4 +1,4 @@
-// Back-analysis of a failure: several mechanisms against the same evidence.
+// Back-analysis of a failure: several mechanisms are compared with the same evidence.
 #pragma once
 
 #include "fitting/mechanism/fit_result.hpp"
@@ -8,13 +8,14 @@
 
 namespace delabole {
 
-// For each mechanism: minima of the misfit from many starts, identifiability, profile likelihoods with and without
-// priors (copies where there are none), FS = 1 loci, misfit map, comparison with each observation; then the ranking.
-// The result does not depend on the number of threads. Without free parameters the mechanism is evaluated as it is.
+// Finds, for each mechanism, the minima of the misfit from many starts, identifiability, profile likelihoods with and
+// without priors (copies if there are none), FS = 1 loci, the misfit map and the comparison with each observation, and
+// then ranks the mechanisms. The result does not depend on the number of threads. A mechanism without free parameters
+// is evaluated as it is.
 //
-// A mechanism without a valid point and a search that did not converge are statuses. After a stop request the result
-// holds what was finished. Throws std::invalid_argument with every sentence of check_problem, and whatever a model's
-// `predict` throws.
+// A mechanism without a valid point and a search that did not converge are reported by status. After a stop request the
+// result holds what was finished. Throws std::invalid_argument with every sentence of check_problem, and whatever a
+// model's `predict` throws.
 FitResult fit(const FitProblem& problem, const FitProgressCallback& progress = {}, StopFlag stop = nullptr);
 
 }  // namespace delabole

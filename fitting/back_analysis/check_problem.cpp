@@ -36,7 +36,7 @@ void check_parameter(const std::string& where, const FreeParameter& parameter, c
     if (parameter.lower > parameter.upper) {
         faults.push_back(where + ": lower = " + lower + " exceeds upper = " + upper);
     }
-    // Open ends may be touched: the model reports the failure of that one value.
+    // A bound may lie on an open end of the range: the model reports the failure of that one value.
     if (parameter.lower < input.range.lower || parameter.upper > input.range.upper) {
         faults.push_back(where + ": the bounds " + lower + " to " + upper + " leave the input's range " +
                          value_in_words(input.range.lower, input.dimension) + " to " +
@@ -143,7 +143,7 @@ void check_ranges(const std::string& where, const Settings& settings, Faults& fa
     });
 }
 
-// Checks priors as given, and as the study of the dependence on them changes them.
+// Checks the priors as given and as each variant of the evidence changes them.
 void check_priors(const FitProblem& problem, Faults& faults) {
     for (const EvidenceVariant variant : variants_of(problem)) {
         for (const Mechanism& mechanism : varied(problem, variant).mechanisms) {
@@ -170,7 +170,8 @@ void check_posterior(const FitProblem& problem, Faults& faults) {
                          std::to_string(draws_per_chain * study.chains));
     }
     for (const Mechanism& mechanism : problem.mechanisms) {
-        // Two coordinates of the sequence serve the choice among distributions and their tails.
+        // The evidence needs two coordinates of the Sobol sequence for the choice among distributions and for their
+        // tails.
         if (mechanism.parameters.size() + 2 > most_parameters) {
             faults.push_back(mechanism.name + ": " + std::to_string(mechanism.parameters.size()) +
                              " free parameters, at most 38 with a posterior");

@@ -1,4 +1,4 @@
-// Faults of a back-analysis that are found before it starts.
+// Finds faults of a back-analysis before it starts.
 #pragma once
 
 #include "fitting/posterior/fit_problem.hpp"

@@ -15,10 +15,10 @@ namespace {
 
 constexpr int scan_points = 17;
 constexpr double locus_tolerance = 1e-10;  // of the range
-constexpr double node_root = 1e-12;        // rounding must not hide a root at the end of the range
+constexpr double node_root = 1e-12;        // |FS - 1| up to this is a root: rounding must not hide one at an end
 constexpr double root_check = 1e-6;        // |FS - 1| above this at a sign change is a jump, not a root
 
-// FS - 1 in the plane of two parameters.
+// FS - 1 as a function in the plane of two parameters.
 class Plane {
   public:
     Plane(const Search& search, std::span<const double> best, std::size_t output, EvaluationCount& account)
@@ -53,8 +53,9 @@ std::vector<double> roots_along(Plane& plane, std::size_t parameter, const Inter
         double current = function(values[index]);
         if (std::abs(current) <= node_root) {
             roots.push_back(values[index]);
-            current = std::numeric_limits<double>::quiet_NaN();  // found: no second time by a change of sign
-        } else if (previous * current < 0) {                     // false for NaN
+            // already found: a change of sign must not count it again
+            current = std::numeric_limits<double>::quiet_NaN();
+        } else if (previous * current < 0) {  // false for NaN
             const auto root =
                 bracketed_root(function, {values[index - 1], values[index], previous, current}, tolerance);
             if (root && std::abs(function(*root)) < root_check) {
@@ -66,8 +67,8 @@ std::vector<double> roots_along(Plane& plane, std::size_t parameter, const Inter
     return roots;
 }
 
-// Follows branches from one column of roots to the next. Where their number changes, which root continues which branch
-// is anyone's guess, so all begin anew.
+// Follows branches from one column of roots to the next. If the number of roots changes, it is unknown which root
+// continues which branch, so all branches begin anew.
 class Branches {
   public:
     void add_column(const std::vector<double>& roots, double across, bool swapped) {
@@ -96,7 +97,7 @@ class Branches {
     std::vector<std::vector<Point>*> open_;
 };
 
-// Largest less smallest factor of safety while one parameter crosses its range.
+// Difference between the greatest and least factor of safety over the range of one parameter.
 double spread_along(Plane plane, std::size_t parameter, const Interval& range) {
     double least = std::numeric_limits<double>::infinity();
     double greatest = -least;

@@ -23,7 +23,7 @@ class Differences {
 
     const Residuals& at_best() const { return at_best_; }
 
-    // Derivative of the residuals by one parameter per range; empty where the model fails on both sides.
+    // Derivative of the residuals with respect to one parameter, per range; empty if the model fails on both sides.
     Eigen::VectorXd column(std::size_t parameter, double share) {
         const Interval& range = search_.misfit.bounds()[parameter];
         const double width = range.upper - range.lower;
@@ -94,7 +94,7 @@ Eigen::MatrixXd scaled_jacobian(Differences& differences, const std::vector<std:
     return jacobian;
 }
 
-// Singular values and right vectors with as many of each as columns, also when there are fewer rows.
+// Singular values and right vectors, as many of each as the matrix has columns, even if it has fewer rows.
 void decompose(const Eigen::MatrixXd& matrix, Eigen::VectorXd& values, Eigen::MatrixXd& directions) {
     const Eigen::Index columns = matrix.cols();
     Eigen::MatrixXd square = Eigen::MatrixXd::Zero(std::max(matrix.rows(), columns), columns);
@@ -144,15 +144,15 @@ std::vector<double> misses_of(const Eigen::MatrixXd& jacobian, const Residuals& 
     return misses;
 }
 
-// Whether the model, run at the best point, is far from what the surrogate says of it.
+// Whether the result of the model at the best point is far from what the surrogate predicts.
 bool run_contradicts(const Search& search, std::span<const double> best, double scatter) {
-    constexpr double allowed = 2;  // standard deviations of data, or of runs that ought to be alike
+    constexpr double allowed = 2;  // standard deviations of data, or of runs at the same point
     const Residuals run = search.misfit.residuals(best);
     const double expected = std::sqrt(std::max(search.surrogate->value(best, Priors::ignored).value, 0.0));
     return !run.failure.empty() || std::abs(std::sqrt(data_misfit(run)) - expected) > allowed * std::max(1.0, scatter);
 }
 
-// One FS = 1 equation and nothing else that bears on the parameters.
+// Whether the data are one FS = 1 and nothing else depends on the parameters.
 bool only_failure_bears(const Misfit& misfit) {
     int failures = 0;
     int others = misfit.data_count();

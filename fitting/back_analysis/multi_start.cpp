@@ -12,7 +12,7 @@ namespace {
 
 constexpr double cluster_distance = 1e-3;
 constexpr double cluster_misfit = 0.01;
-constexpr double exploring_tolerance = 1e-4;        // of the range; the polish does the rest
+constexpr double exploring_tolerance = 1e-4;        // of the range; polishing reaches the full tolerance
 constexpr double exploring_value_tolerance = 1e-4;  // of chi-square, far below any level of interest
 constexpr double polishing_step = 0.02;             // of the range: starts close to a minimum
 
@@ -20,7 +20,7 @@ const FitSettings& settings_of(const Search& search) {
     return search.misfit.problem().settings;
 }
 
-// Keeps the better point and adds up the accounts; the status is that of the later run.
+// Returns the better point with the evaluations of both; the status is that of the later run.
 MinimiseResult combine(const MinimiseResult& earlier, MinimiseResult later) {
     later.evaluations.add(earlier.evaluations);
     if (earlier.found() && !(later.value < earlier.value)) {
@@ -57,7 +57,7 @@ MinimiseResult explore_and_polish(const Search& search, Priors priors, std::span
 std::vector<std::vector<double>> starting_points(const Misfit& misfit, std::size_t count) {
     const std::vector<Interval>& bounds = misfit.bounds();
     std::vector<std::vector<double>> points = {misfit.centre()};
-    // The Sobol sequence begins with the middle of the box, which without priors is the centre again.
+    // The Sobol sequence begins with the middle of the box, which without priors is the centre already used.
     const std::size_t skipped = misfit.has_priors() ? 0 : 1;
     const std::vector<std::vector<double>> unit = sobol_points(bounds.size(), count);
     for (std::size_t number = skipped; points.size() < count && number < unit.size(); ++number) {
@@ -79,7 +79,8 @@ bool near(std::span<const double> left, std::span<const double> right, std::span
     return true;
 }
 
-// -1: none is valid. The first of equals wins, so that the answer does not depend on the order of threads.
+// -1 if no run found a valid point. The first of equals is taken, so that the answer does not depend on the order of
+// threads.
 std::ptrdiff_t best_of(const std::vector<MinimiseResult>& runs) {
     std::ptrdiff_t best = -1;
     for (std::size_t number = 0; number < runs.size(); ++number) {

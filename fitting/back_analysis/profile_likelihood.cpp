@@ -19,13 +19,13 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double end_tolerance = 1e-4;     // of the range
-constexpr double bound_tolerance = 1e-4;   // of sqrt(misfit): that many standard deviations of a normal posterior
-constexpr double misfit_tolerance = 1e-6;  // each point's misfit; levels are 1 and more
-constexpr double better = 1e-4;            // a misfit lower by less than this is not news
+constexpr double bound_tolerance = 1e-4;   // of sqrt(misfit), which is in standard deviations of a normal posterior
+constexpr double misfit_tolerance = 1e-6;  // of each point's misfit; levels are 1 and more
+constexpr double better = 1e-4;            // a misfit lower by less than this does not count as an improvement
 
 struct Knot {
     double misfit = infinite;
-    std::vector<double> point;  // empty when none is valid
+    std::vector<double> point;  // empty if no point is valid
 };
 
 using Knots = std::map<double, Knot>;
@@ -37,7 +37,7 @@ auto members_of(Type& knot) {
     return std::tie(knot.misfit, knot.point);
 }
 
-// The result of tracing one parameter.
+// The result of tracing the profile of one parameter.
 struct Traced {
     ProfileLikelihood profile;
     Knot lowest;
@@ -72,7 +72,7 @@ class Tracer {
     }
 
     ProfileLikelihood trace();
-    // Lowest point met.
+    // The point with the least misfit met so far.
     const Knot& lowest() const {
         const auto by_misfit = [](const auto& a, const auto& b) { return a.second.misfit < b.second.misfit; };
         return std::min_element(knots_.begin(), knots_.end(), by_misfit)->second;
@@ -97,13 +97,14 @@ class Tracer {
     Interval range_;
     const MinimiseResult& best_;
     std::size_t others_;
-    std::map<double, std::vector<double>> seeds_;  // further minima by the parameter's value
+    std::map<double, std::vector<double>> seeds_;  // further minima, by their value of the parameter
     Knots knots_;
     double least_ = infinite;
     EvaluationCount evaluations_;
 };
 
-// The neighbours' points moved to the new value, the straight line through two of them, and the best point.
+// Starting points at the new value: the points of the neighbours, the straight line through two of them and a further
+// minimum at this value; if there are none of these, the best point and the centre.
 std::vector<std::vector<double>> Tracer::candidates(double value, const std::vector<Place>& neighbours) const {
     std::vector<std::vector<double>> points;
     for (const Place& neighbour : neighbours) {
@@ -157,13 +158,13 @@ Knot Tracer::minimise_others(std::vector<double> start) {
     settings.relative_tolerance = 1e-6;
     settings.value_tolerance = misfit_tolerance;
     settings.initial_step = 0.02;
-    // nothing lies below the least misfit, so a point that reaches it is done
+    // No misfit is below the least one, so a point that reaches it needs no further search.
     settings.stop_value = best_.value + misfit_tolerance;
     const Objective objective = search_.objective(priors_);
     MinimiseResult result = minimise(objective, bounds, start, settings, search_.stop);
     evaluations_.add(result.evaluations);
     if (others_ > 0 && result.evaluations.failed() > 0) {
-        // failures spoil a quadratic model; the simplex gets round them
+        // Failures spoil a quadratic model; the simplex algorithm tolerates them.
         settings.algorithm = Algorithm::sbplx;
         settings.initial_step = result.found() ? 0.02 : 0.25;
         const MinimiseResult second =
@@ -195,7 +196,8 @@ void Tracer::follow(const std::vector<double>& values) {
     }
 }
 
-// Goes from the end towards the best value and solves a point again whose outer neighbour's answer suits it better.
+// Goes from the end towards the best value and solves a point again if its outer neighbour's point gives a lower misfit
+// there.
 void Tracer::sweep_inwards(Place outer, bool upwards) {
     const double stop_at = best_.point[parameter_];
     while (outer->first != stop_at && !search_.stopped()) {
@@ -215,7 +217,7 @@ void Tracer::sweep_inwards(Place outer, bool upwards) {
     }
 }
 
-// Below 0 under the level. Without an answer: infinite.
+// Negative below the level of the interval, infinite without an answer.
 double Tracer::excess(double misfit, double rise) const {
     return std::sqrt(std::max(misfit - least_, 0.0)) - std::sqrt(rise);
 }
@@ -245,7 +247,7 @@ IntervalEnd Tracer::find_end(double inside, double outside, double rise) {
     const auto root = inside_excess == 0 ? std::optional(inside)
                                          : bracketed_root(function, {inside, outside, inside_excess, outside_excess},
                                                           tolerance, bound_tolerance);
-    // An answerless gap inside the bracket: the wider interval is the honest one.
+    // Without a root the model has a gap without answers inside the bracket; then the wider interval is given.
     return {root.value_or(outside), true};
 }
 
@@ -315,7 +317,7 @@ ProfileLikelihood Tracer::trace() {
     return profile;
 }
 
-// Minima beside the best that matter to an interval; a flat valley can have many, and a few of them will do.
+// Minima other than the best that matter to an interval. A flat valley can have many of them, so only a few are used.
 std::vector<MinimumCluster> further_minima(const Search& search, Priors priors, std::span<const MinimumCluster> minima,
                                            const MinimiseResult& best, EvaluationCount& account) {
     constexpr std::size_t most = 4;

@@ -1,4 +1,4 @@
-// The steps of a back-analysis, which all take the problem and its work as a Search.
+// The steps of a back-analysis. Each takes the problem, its progress and its surrogate as a Search.
 #pragma once
 
 #include "fitting/mechanism/fit_result.hpp"
@@ -18,7 +18,7 @@ struct Search {
     const Misfit& misfit;
     ProgressMeter& progress;
     StopFlag stop = nullptr;
-    const Surrogate* surrogate = nullptr;  // asked in place of a costly model
+    const Surrogate* surrogate = nullptr;  // replaces a costly model
 
     bool stopped() const { return stop_requested(stop); }
 
@@ -37,7 +37,7 @@ struct Search {
         return surrogate != nullptr ? surrogate->residuals(parameters) : misfit.residuals(parameters);
     }
 
-    // The same, entered in an account.
+    // Evaluates and records the evaluation in an account.
     Evaluation evaluate(std::span<const double> parameters, Priors priors, EvaluationCount& account) const {
         const Evaluation evaluation = evaluate(parameters, priors);
         account.record(evaluation);
@@ -50,30 +50,30 @@ struct Search {
 };
 
 struct MultiStartResult {
-    MinimiseResult best;                 // evaluations: of all runs
+    MinimiseResult best;                 // its evaluations are those of all runs
     std::vector<MinimumCluster> minima;  // best first
 };
 
 // Starts at the prior means (the middle of the bounds where there is no prior), then at the points of a Sobol sequence;
-// a global algorithm makes one run with the evaluations of all starts. The best run is polished once more to the full
-// tolerance; its status is the result's.
+// a global algorithm makes one run with the evaluations of all starts. The best run is refined once more to the full
+// tolerance, and that run's status is the result's.
 MultiStartResult search_from_many_starts(const Search& search, Priors priors);
 
-// Local minimum near a point: the polishing algorithm, and sbplx where that met failures, which spoil its quadratic
-// model, or reached its cap.
+// Local minimum near a point, found by the polishing algorithm. Where this meets failures, which spoil its quadratic
+// model, or reaches its cap, sbplx follows.
 MinimiseResult polish(const Search& search, Priors priors, std::span<const double> start, long evaluations);
 
-// Best of the polished points.
+// The best result of polish() over several starts.
 MinimiseResult polish_best_of(const Search& search, Priors priors, const std::vector<std::vector<double>>& starts);
 
-// Enters a minimum in the list, which stays sorted by misfit: in the first cluster within 1e-3 of every parameter's
-// range and 0.01 of misfit, otherwise in one of its own.
+// Adds a minimum to the list, which stays sorted by misfit: to the first cluster within 1e-3 of every parameter's range
+// and 0.01 of misfit, otherwise as a new cluster.
 void add_minimum(std::vector<MinimumCluster>& minima, std::span<const double> point, double misfit,
                  std::span<const Interval> bounds);
 
-// One curve for each free parameter. `minima` are those known, of this or a similar misfit. `best` is the minimum of
-// the same misfit; if a curve finds a lower one it is replaced (polished) and the curves are traced again.
-// `best.evaluations` are added to. Empty when `best` holds no point or the caller asked to stop.
+// One profile for each free parameter. `minima` are those known, of this or a similar misfit. `best` is the minimum of
+// the same misfit; if a profile finds a lower one it replaces `best` (polished) and the profiles are traced again. The
+// evaluations are added to `best.evaluations`. Empty if `best` holds no point or the caller asked to stop.
 std::vector<ProfileLikelihood> trace_profiles(const Search& search, Priors priors,
                                               std::span<const MinimumCluster> minima, MinimiseResult& best);
 

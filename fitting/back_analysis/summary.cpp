@@ -12,7 +12,7 @@ namespace {
 constexpr double large_pull = 2;
 constexpr double score_of_silence = large_pull * large_pull;
 
-// The sign that the prediction contradicts, with its value; empty where it shows what it has to.
+// The sign of the evidence that the prediction contradicts, with its value; empty if the prediction shows the sign.
 std::string contradiction(const EvidenceSign& sign, const Misfit& misfit, const Prediction& prediction) {
     const auto output = misfit.output(sign.quantity);
     if (!output || *output >= prediction.outputs.size()) {
@@ -25,7 +25,7 @@ std::string contradiction(const EvidenceSign& sign, const Misfit& misfit, const 
     return sign.quantity + " is " + value_in_words(value, misfit.mechanism().model.outputs[*output].dimension);
 }
 
-// Evidence is explained by every sign of it that the mechanism's prediction was to show, and by nothing else.
+// A mechanism explains a piece of evidence if its prediction shows every sign given for it, and in no other case.
 void sort_evidence(const Misfit& misfit, MechanismFit& fit) {
     for (const FieldEvidence& evidence : misfit.problem().evidence) {
         std::string why_not = "the mechanism predicts nothing of the kind";
@@ -68,7 +68,7 @@ void add_misses(MechanismFit& fit) {
     }
 }
 
-// A fitted value far outside what was known beforehand: the mechanism needs it, so it is something left unexplained.
+// A fitted value far outside its prior is reported as unexplained: the mechanism needs a value that was not expected.
 void add_prior_conflicts(MechanismFit& fit) {
     for (std::size_t index = 0; index < fit.best.size(); ++index) {
         const FreeParameter& parameter = fit.parameters[index];

@@ -12,7 +12,7 @@ namespace delabole {
 namespace {
 
 constexpr double untouched_below = 1e-6;  // standard deviations of data over the whole range
-constexpr double hardly_below = 0.5;      // likewise
+constexpr double hardly_below = 0.5;      // standard deviations of data over the whole range
 constexpr double far_off = 4;             // standard deviations of data
 constexpr double involved_above = 0.05;   // share of a unit vector in the directions that the data do not see
 
@@ -22,7 +22,7 @@ struct Sorted {
     Places untouched;
     Places determined;
     Places involved;
-    Places missed;  // the data that would determine these
+    Places missed;  // would be determined, but the data that depend on them are missed
 };
 
 double effect_of(const Identifiability& facts, Eigen::Index place) {
@@ -78,7 +78,7 @@ Sorted Words::sort() const {
             (far_from_data(place) ? result.missed : result.determined).push_back(place);
         }
     }
-    // A combination that some such data determine is no better.
+    // A combination is worth no more if data that are missed determine it.
     if (std::ranges::any_of(result.involved, far_from_data)) {
         result.missed.insert(result.missed.end(), result.involved.begin(), result.involved.end());
         result.involved.clear();
@@ -86,14 +86,15 @@ Sorted Words::sort() const {
     return result;
 }
 
-// "a rise of 0.043", "a fall of 3 deg"; scaled is a share of the range.
+// "a rise of 0.043", "a fall of 3 deg"; `scaled` is a share of the range.
 std::string Words::change(Eigen::Index place, double scaled) const {
     const double value = scaled * question_.ranges[place];
     return (value < 0 ? "a fall of " : "a rise of ") +
            value_in_words(std::abs(value), question_.dimensions[static_cast<std::size_t>(place)]);
 }
 
-// One display unit, or the power of ten that fits twice into a range shorter than two units; as a share of the range.
+// A round step, as a share of the range: one display unit or, for a range shorter than two units, the power of ten that
+// fits into it at least twice.
 double Words::round_step(Eigen::Index place) const {
     const double unit = shown_unit(question_.dimensions[static_cast<std::size_t>(place)]).si_per_unit;
     const double range = question_.ranges[place] / unit;
@@ -101,13 +102,13 @@ double Words::round_step(Eigen::Index place) const {
     return step / range;
 }
 
-// With one combination known of several parameters, any two of them can be exchanged.
+// If one combination of several parameters is known, a change of one of them can be offset by another.
 std::string Words::exchange_rates(const Places& involved) const {
     Eigen::MatrixXd hidden(static_cast<Eigen::Index>(involved.size()), count() - facts_.rank);
     for (std::size_t row = 0; row < involved.size(); ++row) {
         hidden.row(static_cast<Eigen::Index>(row)) = unseen().row(involved[row]);
     }
-    // The direction the data see is the one least present in the hidden ones.
+    // The direction that the data determine is the one with the least part in the hidden directions.
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hidden * hidden.transpose());
     const Eigen::VectorXd seen = solver.eigenvectors().col(0);
     const double step = round_step(involved[0]);
@@ -127,7 +128,7 @@ std::string Words::exchange_rates(const Places& involved) const {
     return "along " + line + " " + change(involved[0], step) + " in " + name(involved[0]) + " is offset by " + text;
 }
 
-// The one direction that the data do not see.
+// The change of several parameters together along the one direction that the data do not determine.
 std::string Words::common_change(const Places& involved) const {
     const Eigen::VectorXd direction = unseen().col(0);
     const double step = round_step(involved[0]) / direction[involved[0]];

@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t prior_candidates = 1024;
 constexpr std::size_t near_candidates = 256;
 constexpr std::size_t best_kept = 16;
-constexpr double near_share = 0.15;  // standard deviations of the prior
-// Shapes and components are found anew when the runs have become so many times more.
+constexpr double near_share = 0.15;  // in standard deviations of the prior
+// Shapes and components are found again whenever the number of runs has grown by this factor.
 constexpr double growth_before_new_shape = 1.25;
 
 using Points = std::vector<std::vector<double>>;
@@ -64,7 +64,7 @@ class Refinement {
           workers_(workers),
           drawn_(draw(space_, prior_candidates)) {}
 
-    // Points of the next batch, worthiest first.
+    // Points of the next batch, the most valuable first.
     Points next(const Surrogate& surrogate, std::size_t count) {
         std::vector<Candidate> candidates = judged(surrogate, drawn_);
         remember_error(candidates);
@@ -87,7 +87,7 @@ class Refinement {
     }
 
     double evidence_error() const { return evidence_error_; }
-    // The logarithm of the evidence with twice its error.
+    // Logarithm of the evidence plus twice its error.
     double log_evidence_bound() const { return log_evidence_bound_; }
 
   private:
@@ -95,7 +95,7 @@ class Refinement {
 
     std::vector<Candidate> judged(const Surrogate& surrogate, const Points& points) const {
         std::vector<Candidate> candidates(points.size());
-        // Not shared among ranks: it takes less than to tell each other.
+        // This work is not shared among ranks, since exchanging the results would take longer.
         run_tasks(points.size(), workers_.threads, [&](std::size_t index) {
             const LikelihoodEstimate likelihood = surrogate.likelihood(points[index]);
             candidates[index] = {points[index], likelihood,
@@ -104,7 +104,7 @@ class Refinement {
         return candidates;
     }
 
-    // Remembers the error of the candidates drawn from the prior.
+    // Stores the error of the evidence, from the candidates drawn from the prior.
     void remember_error(const std::vector<Candidate>& candidates) {
         double greatest = -std::numeric_limits<double>::infinity();
         for (const Candidate& candidate : candidates) {
@@ -143,7 +143,7 @@ class Refinement {
     double log_evidence_bound_ = std::numeric_limits<double>::infinity();
 };
 
-// A run as it travels between ranks.
+// A run in the form in which ranks exchange it.
 struct RunMessage {
     bool made = false;
     std::vector<double> pulls = {};
@@ -158,7 +158,7 @@ auto members_of(Type& run) {
     return std::tie(run.made, run.pulls, run.idle, run.scatter, run.failure);
 }
 
-// Runs them all; those that were stopped are left out.
+// Runs the model at all points; runs that were stopped are left out.
 std::vector<KnownRun> runs_at(const Points& points, const Misfit& misfit, const Workers& workers,
                               ProgressMeter& progress, StopFlag stop, EvaluationCount& evaluations) {
     std::vector<Residuals> own(points.size());
@@ -178,7 +178,7 @@ std::vector<KnownRun> runs_at(const Points& points, const Misfit& misfit, const 
         if (!run.made) {
             continue;
         }
-        // The cause as a text that lasts: the model's own, or one that the ranks keep.
+        // The text must outlive this function: it is the model's own text or a copy that the ranks keep.
         std::string_view failure = own[index].failure;
         if (failure != run.failure) {
             failure = workers.ranks->word(run.failure);
@@ -196,7 +196,8 @@ void run_at(const Points& points, const Misfit& misfit, const Workers& workers, 
     made.stopped = stop_requested(stop);
 }
 
-// Takes the hopeless ones among the points, as known from the coarse model. Returns the others.
+// Runs the coarse model at the points and enters those with a hopelessly low likelihood as coarse runs. Returns the
+// other points.
 Points sift(Points points, const Misfit& coarse, const Workers& workers, ProgressMeter& progress, StopFlag stop,
             CostlyRuns& made) {
     std::vector<KnownRun> runs = runs_at(points, coarse, workers, progress, stop, made.coarse_evaluations);
@@ -220,7 +221,7 @@ std::size_t valid_runs(const CostlyRuns& made) {
         std::ranges::count_if(made.runs, [](const KnownRun& run) { return run.residuals.failure.empty(); }));
 }
 
-// Greatest difference of a free parameter, in shares of its range.
+// Greatest difference of a free parameter, as a share of its range.
 double distance(const Misfit& misfit, std::span<const double> left, std::span<const double> right) {
     double greatest = 0;
     for (const std::size_t index : misfit.free_parameters()) {
@@ -230,7 +231,7 @@ double distance(const Misfit& misfit, std::span<const double> left, std::span<co
     return greatest;
 }
 
-// Differences in standard deviations of the data; satisfied inequalities are alike.
+// Difference of residuals in standard deviations of the data; satisfied inequalities count as equal.
 double difference(const Residuals& left, const Residuals& right) {
     double squares = 0;
     for (std::size_t index = 0; index < left.pulls.size(); ++index) {

@@ -1,4 +1,4 @@
-// The results of a back-analysis, with what a reader needs to judge them.
+// The results of a back-analysis and the numbers needed to judge them.
 #pragma once
 
 #include "fitting/mechanism/mechanism_posterior.hpp"
@@ -19,13 +19,12 @@ namespace delabole {
 
 enum class FitStatus {
     converged,         // the algorithm met its own tolerance in the best run
-    evaluation_limit,  // the best run ended before its tolerance, as a rule by the cap; the answer is the best point
-                       // seen
+    evaluation_limit,  // the best run ended before its tolerance, usually at the cap; the answer is the best point seen
     no_valid_point,    // every evaluation failed
     interrupted,       // the caller asked to stop; the answer is the best point seen
 };
 
-// Minima of the multi-start runs, gathered where they coincide within 1e-3 of the bounds and 0.01 of misfit.
+// Minima of the multi-start runs, grouped if they agree within 1e-3 of the bounds and 0.01 of misfit.
 struct MinimumCluster {
     std::vector<double> parameters;
     double misfit;
@@ -37,26 +36,26 @@ enum class Determination {
     bounded_below,  // only a lower limit
     bounded_above,  // only an upper limit
     undetermined,   // the misfit stays under the 95 % level up to both ends of the range
-    doubtful,       // an end or both close, but in_doubt() of verdict.hpp says that this means nothing
+    doubtful,       // one or both ends close, but in_doubt() in verdict.hpp says that this is meaningless
 };
 
-// Least misfit as a function of one parameter, the others free; intervals by chi-square with one degree of freedom,
-// their ends found by root bracketing to 1e-4 of the range. An interval spans all values under the level, also where
-// the profile rises above it in between.
+// Least misfit as a function of one parameter, with the others free. Intervals follow from chi-square with one degree
+// of freedom; their ends are found by root bracketing to 1e-4 of the range. An interval spans all values below the
+// level, even if the profile rises above it in between.
 struct ProfileLikelihood {
     std::string parameter;
     std::vector<double> values;   // ascending: the grid, the best value and the points that the interval ends needed
     std::vector<double> misfits;  // infinity where no valid point was found
     double least_misfit;          // the level of an interval is this + its chi-square quantile
-    // An end lies at the bound, or where the model ceases to have answers, if the profile stays below the level there:
-    // neither is evidence, so such an end does not count as closed.
+    // If the profile is still below the level at the bound, or where the model ceases to have answers, the interval
+    // ends there. Neither is evidence, so such an end does not count as closed.
     Interval interval_68;
     Interval interval_95;
     Determination determination;
     bool with_priors;  // whether the priors of the other and of this parameter were counted
 };
 
-// Needed by share_tasks, as is members_of() of the locus below.
+// share_tasks uses this, and members_of() of the locus below.
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, ProfileLikelihood>
 auto members_of(Type& profile) {
@@ -68,29 +67,31 @@ enum class IdentifiabilityStatus {
     reliable,
     steps_disagree,      // sensitivities differ by over 1 % between two step sizes: a kink or a rough model
     model_fails_nearby,  // some parameter cannot be moved either way from the best point
-    run_contradicts,     // the run at the best point is not what the surrogate says: nothing further is evaluated
+    run_contradicts,     // the run at the best point disagrees with the surrogate; nothing further is evaluated
     not_evaluated,       // no valid point, or interrupted
 };
 
-// From the Jacobian of the data residuals (priors left out) at the best point, columns scaled by the parameters'
-// ranges. Satisfied inequalities have no weight there.
+// Derived from the Jacobian of the data residuals (without priors) at the best point, with columns scaled by the
+// parameters' ranges. Satisfied inequalities have no weight in it.
 struct Identifiability {
     IdentifiabilityStatus status = IdentifiabilityStatus::not_evaluated;
-    std::vector<std::string> parameters;  // those with lower < upper, in the order of rows of directions
-    // Singular values of the scaled Jacobian: standard deviations of data per range of parameter; as many as
+    std::vector<std::string> parameters;  // those with lower < upper, in the order of the rows of directions
+    // Singular values of the scaled Jacobian, in standard deviations of data per range of parameter; as many as
     // parameters, descending.
     std::vector<double> singular_values;
     Eigen::MatrixXd directions;  // right singular vectors, one per column, in the order of singular_values
-    // For each parameter, the greatest residual among the data that its range moves by over half a standard deviation.
+    // For each parameter, the greatest residual among the data that change by over half a standard deviation over its
+    // range.
     std::vector<double> misses;
-    int rank = 0;              // singular values above 1 / 2: a range of parameter moves the data by over half a sd
-    int rank_with_priors = 0;  // the same with a row range / standard deviation for each prior
-    std::string verdict = "Not evaluated.";     // in words, printed before any fitted value
+    int rank = 0;  // number of singular values above 1 / 2: a range of parameter moves the data by over half a sd
+    int rank_with_priors = 0;  // the same with an additional row range / standard deviation for each prior
+    std::string verdict = "Not evaluated.";     // text, printed before any fitted value
     std::optional<Eigen::MatrixXd> covariance;  // of data and priors, SI; only where rank_with_priors is full
     std::optional<Eigen::MatrixXd> correlation;
 };
 
-// Points in the plane of two free parameters at which the mechanism's factor of safety is 1, others at the best point.
+// Points in the plane of two free parameters at which the mechanism's factor of safety is 1; the others are at the best
+// point.
 struct FailureLocus {
     std::string x;
     std::string y;
@@ -104,8 +105,8 @@ auto members_of(Type& locus) {
     return std::tie(locus.x, locus.y, locus.points, locus.branch);
 }
 
-// Misfit, priors included, over the plane of two free parameters, the others at the best point. z(row, column): y(row),
-// x(column).
+// Misfit, including priors, over the plane of two free parameters, with the others at the best point. Row and column of
+// z belong to y(row) and x(column).
 struct MisfitMap {
     std::string x;
     std::string y;
@@ -120,11 +121,11 @@ struct ObservationFit {
     std::string label;
     std::string quantity;
     Relation relation = Relation::equal;
-    Dimension dimension = Dimension::ratio;  // ratio also where no mechanism's output tells
+    Dimension dimension = Dimension::ratio;  // ratio also if no mechanism has the output that would tell
     double observed = 0;
-    double standard_deviation = 0;    // with the scatter
-    double scatter = 0;               // by which cases that chance alone sets apart deviate from what is predicted
-    std::optional<double> predicted;  // absent when the mechanism does not predict the quantity
+    double standard_deviation = 0;    // including the scatter
+    double scatter = 0;               // standard deviation of cases that differ by chance alone, about the prediction
+    std::optional<double> predicted;  // absent if the mechanism does not predict the quantity
     double pull = 0;                  // (predicted - observed) / standard deviation; 0 for a satisfied inequality
     std::string source;
 };
@@ -132,37 +133,37 @@ struct ObservationFit {
 // The observed profile against the predicted one, m.
 struct ProfileFit {
     double rms = 0;                 // root mean square distance
-    double scatter = 0;             // as of an observation
-    double standard_deviation = 0;  // with the scatter
+    double scatter = 0;             // as in ObservationFit
+    double standard_deviation = 0;  // including the scatter
     double pull() const { return rms / standard_deviation; }
 };
 
-// Two runs side by side with very different outcomes.
+// Two neighbouring runs with very different outcomes.
 struct Jump {
-    std::vector<double> at;  // parameters between them, SI
-    double distance;         // greatest difference of a parameter, in shares of its range
+    std::vector<double> at;  // midpoint of their parameters, SI
+    double distance;         // greatest difference of a parameter, as a share of its range
     double difference;       // root of the sum of squares over the data, in their standard deviations
 };
 
-// How a costly mechanism was fitted. The misfits of a MechanismFit are then the surrogate's, its predictions those of a
+// How a costly mechanism was fitted. The misfits of its MechanismFit come from the surrogate, the predictions from a
 // run at the best point.
 struct SurrogateFit {
     struct Run {
         std::vector<double> parameters;
-        double data_misfit;   // meaningful where the run had an answer
-        std::string failure;  // why it had none
-        bool coarse;          // of the coarse model, which found the point hopeless
+        double data_misfit;   // meaningful if the run had an answer
+        std::string failure;  // why it had no answer
+        bool coarse;          // a run of the coarse model, whose likelihood was hopelessly low
     };
-    std::vector<Run> runs;          // that the surrogate was made of, in the order in which they were chosen
-    long coarse_runs = 0;           // made to find hopeless points
-    std::size_t components = 0;     // of the data, inequalities included
-    double error = 0;               // root mean square, each run predicted from the others; standard deviations of data
-    double within_95 = 0;           // share of such predictions within 1.96 of their own standard deviations
-    double scatter = 0;             // of runs that ought to be alike, in standard deviations of data
-    double evidence_error = 0;      // bound, relative; see costly_runs.hpp
-    bool given_up = false;          // before its time, for want of evidence
+    std::vector<Run> runs;       // those that the surrogate was made from, in the order in which they were chosen
+    long coarse_runs = 0;        // made to find points with hopelessly low likelihood
+    std::size_t components = 0;  // of the data, inequalities included
+    double error = 0;      // root mean square error of predicting each run from the others; standard deviations of data
+    double within_95 = 0;  // share of such predictions within 1.96 of their own standard deviations
+    double scatter = 0;    // expected difference of runs at the same point, in standard deviations of data
+    double evidence_error = 0;      // bound of the relative error; see costly_runs.hpp
+    bool given_up = false;          // ended early because the evidence was too low
     double misfit_of_run = 0;       // data misfit of the run at the best point; infinite where it has no answer
-    std::optional<Jump> jump = {};  // the steepest
+    std::optional<Jump> jump = {};  // the steepest one found
 };
 
 struct MechanismFit {
@@ -175,27 +176,26 @@ struct MechanismFit {
     double misfit = 0;                  // data + priors
     double data_misfit = 0;
     double prior_misfit = 0;
-    int data_count = 0;  // observations compared, a profile counting its vertices
-    // misfit + 4 for each datum and each piece of field evidence that the mechanism says nothing about: as if
-    // missed by two standard deviations, else a mechanism would gain by predicting less. Infinite without a valid
-    // point.
+    int data_count = 0;  // number of observations compared; a profile counts with its number of vertices
+    // misfit + 4 for each datum and each piece of field evidence that the mechanism does not predict, as if missed by
+    // two standard deviations; otherwise a mechanism would gain by predicting less. Infinite without a valid point.
     double ranking_score = 0;
     Prediction prediction;  // at the best point
     std::vector<ObservationFit> observations;
     std::optional<ProfileFit> profile_fit;
-    // By how much the scatter of predictions lowers the logarithm of the likelihood at a mean that fits.
+    // How much the scatter of predictions lowers the logarithm of the likelihood if the mean agrees with the data.
     double scatter_cost = 0;
     std::vector<std::string> explained;  // names of field evidence
     std::vector<std::string>
         unexplained;  // sentences: field evidence, quantities without prediction, pulls of data and priors beyond 2
     Identifiability identifiability;
     std::vector<ProfileLikelihood> profiles;  // with priors, then without
-    std::vector<FailureLocus> loci;           // for each pair of free parameters that the factor of safety depends on
-    std::optional<MisfitMap> map;             // of the first two free parameters
-    std::vector<MinimumCluster> minima;       // best first
-    std::optional<SurrogateFit> surrogate;    // of a costly mechanism
-    std::optional<MechanismPosterior> posterior;  // where the problem asks for it
-    EvaluationCount evaluations;                  // the posterior's included
+    std::vector<FailureLocus> loci;         // one for each pair of free parameters that the factor of safety depends on
+    std::optional<MisfitMap> map;           // of the first two free parameters
+    std::vector<MinimumCluster> minima;     // best first
+    std::optional<SurrogateFit> surrogate;  // of a costly mechanism
+    std::optional<MechanismPosterior> posterior;  // if the problem asks for it
+    EvaluationCount evaluations;                  // including those of the posterior
 
     // The dimension of a parameter, by its name.
     Dimension dimension_of(const std::string& parameter) const {
@@ -205,7 +205,7 @@ struct MechanismFit {
 };
 
 struct FitResult {
-    // Greatest evidence first, field evidence included; where there is none, least ranking_score first.
+    // Sorted by evidence, greatest first, including field evidence; without evidence by ranking_score, least first.
     std::vector<MechanismFit> mechanisms;
     double wall_seconds = 0;
 };

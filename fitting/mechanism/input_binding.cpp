@@ -58,7 +58,7 @@ std::size_t demanded_input(const Mechanism& mechanism, const std::string& name) 
 }  // namespace
 
 InputBinding::InputBinding(const Mechanism& mechanism, std::span<const Condition> conditions) {
-    std::vector<std::vector<std::size_t>> inputs;  // of each parameter
+    std::vector<std::vector<std::size_t>> inputs;  // inputs of each parameter
     for (const FreeParameter& parameter : mechanism.parameters) {
         inputs.push_back({demanded_input(mechanism, parameter.name)});
         for (const std::string& name : parameter.also) {
@@ -84,7 +84,7 @@ InputBinding::InputBinding(const Mechanism& mechanism, std::span<const Condition
     }
 }
 
-// The first value that is set for an input holds.
+// If an input is set more than once, the first value holds.
 void InputBinding::set(std::size_t input, double value, std::optional<std::size_t> parameter) {
     if (std::ranges::find(assignments_, input, &Assignment::input) == assignments_.end()) {
         assignments_.push_back({input, value});

@@ -1,5 +1,5 @@
 // How the free parameters of a mechanism, and conditions that override them, set the inputs of its model; an output or
-// an input as a function of them, and draws to ask it at.
+// an input as a function of the parameters, and thinned draws at which to evaluate it.
 #pragma once
 
 #include "fitting/posterior/fit_problem.hpp"
@@ -15,8 +15,8 @@ namespace delabole {
 
 class InputBinding {
   public:
-    // A condition on a parameter is one on all inputs that take its value. Throws std::invalid_argument where the
-    // model lacks an input.
+    // A condition on a parameter holds for all inputs that take its value. Throws std::invalid_argument if the model
+    // lacks an input.
     explicit InputBinding(const Mechanism& mechanism, std::span<const Condition> conditions = {});
 
     // parameters: one number for each of the mechanism's, SI.
@@ -26,17 +26,17 @@ class InputBinding {
     void set(std::size_t input, double value, std::optional<std::size_t> parameter);
 
     std::vector<Assignment> assignments_;
-    std::vector<std::optional<std::size_t>> parameter_;  // that gives an assignment its value; none: a condition
+    std::vector<std::optional<std::size_t>> parameter_;  // that gives the value; absent for a condition
 };
 
 class QuantityOfMechanism {
   public:
-    // The first of the names that the mechanism has. Nothing where it has none, or lacks an input that a condition
-    // fixes. The mechanism has to outlive it.
+    // The first of the names that the mechanism has. Nothing if it has none of them, or if the model lacks an input
+    // that a condition sets. The mechanism has to outlive the result.
     static std::optional<QuantityOfMechanism> of(const Mechanism& mechanism, std::span<const std::string> names,
                                                  std::span<const Condition> conditions);
 
-    // NaN where the model has no answer. An input that is not free is known already.
+    // NaN if the model has no answer. The value of an input is known without running the model.
     double at(std::span<const double> parameters) const;
 
   private:
@@ -46,10 +46,10 @@ class QuantityOfMechanism {
     const Mechanism* mechanism_;
     InputBinding binding_;
     std::optional<std::size_t> output_;
-    std::optional<std::size_t> input_;  // where there is no output
+    std::optional<std::size_t> input_;  // used if there is no output
 };
 
-// No more than `most` > 0 of them, as many of each chain.
+// At most `most` > 0 of the draws, equally many of each chain.
 std::vector<Draw> thinned(const std::vector<Draw>& draws, std::size_t most);
 
 }  // namespace delabole

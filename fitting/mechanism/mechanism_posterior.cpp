@@ -31,7 +31,7 @@ void scale_priors(FitProblem& problem, double factor) {
     }
 }
 
-// Moves them by so many standard deviations.
+// Moves all prior means by this number of standard deviations.
 void move_prior_means(FitProblem& problem, double deviations) {
     for (Mechanism& mechanism : problem.mechanisms) {
         for (FreeParameter& parameter : mechanism.parameters) {
@@ -50,7 +50,7 @@ void drop_priors(FitProblem& problem) {
     }
 }
 
-// Scales it as well where a mechanism says the same in terms of its own.
+// Scales the model error also where a mechanism states the same observation in terms of its own.
 void scale_model_error(FitProblem& problem, double factor) {
     for (QuantityObservation& observation : problem.observations) {
         if (observation.quantity != safety) {
@@ -65,8 +65,8 @@ void scale_model_error(FitProblem& problem, double factor) {
     }
 }
 
-// A surrogate of the same runs where the data have other standard deviations than when they were made; priors are
-// nothing to a surrogate.
+// A surrogate of the same runs for data whose standard deviations differ from those with which the first surrogate was
+// made. Priors do not enter a surrogate.
 std::unique_ptr<Surrogate> judged_anew(const Misfit& misfit, const CostlyRuns* costly) {
     if (costly == nullptr || misfit.data() == costly->surrogate->misfit().data()) {
         return nullptr;
@@ -74,7 +74,7 @@ std::unique_ptr<Surrogate> judged_anew(const Misfit& misfit, const CostlyRuns* c
     return std::make_unique<Surrogate>(misfit, judged_by(misfit, costly->surrogate->misfit(), costly->runs));
 }
 
-// The target of one mechanism under one variant, whose pieces refer to each other.
+// Misfit, evaluator and prior of one mechanism under one variant. They refer to each other, so they are kept together.
 class Target {
   public:
     Target(const FitProblem& problem, std::size_t mechanism, const CostlyRuns* costly, ProgressMeter& progress,
@@ -121,7 +121,7 @@ EvidenceSettings evidence_settings(const FitProblem& problem) {
 constexpr int guiding_chains = 2;
 constexpr int guiding_draws = 1600;
 
-// Draws that only guide the evidence need not meet the diagnostics.
+// These draws only guide the evidence, so they need not meet the diagnostics.
 PosteriorSettings guiding_settings(const FitProblem& problem) {
     PosteriorSettings settings = posterior_settings(problem);
     settings.chains = guiding_chains;
@@ -137,7 +137,7 @@ Evidence evidence_of_variant(const FitProblem& problem, std::size_t mechanism, c
     const Target target(changed, mechanism, costly, progress, stop);
     const Posterior guide = sample_posterior(target.evaluator(), target.prior(), guiding_settings(changed));
     account.add(guide.evaluations);
-    // What matters is how far it moves, not its third digit.
+    // Half of the points suffices, since only the shift of the evidence matters and not its third digit.
     EvidenceSettings settings = evidence_settings(changed);
     settings.points = std::max(settings.points / 2, 16);
     return estimate_evidence(target.evaluator(), target.prior(), guide.draws, settings);
@@ -156,8 +156,8 @@ std::vector<Polyline> profiles_of(const Misfit& misfit, const std::vector<Draw>&
     return profiles;
 }
 
-// Least distance of each datum, in standard deviations, over draws of the prior; infinite where none has an answer.
-// The runs of a costly mechanism stand for the draws.
+// Least distance of each datum, in standard deviations, over draws of the prior; infinite if none has an answer. For a
+// costly mechanism its runs replace the draws.
 struct Reach {
     std::vector<double> pulls;
     std::vector<std::string> labels;
@@ -195,7 +195,7 @@ Reach reach_of_priors(const Target& target, std::uint64_t seed) {
     return reach;
 }
 
-// The samples of a profile, which share a label, together by their root mean square.
+// The samples of a profile share a label and are combined by their root mean square.
 Reach reach_of_runs(const Misfit& misfit, const std::vector<KnownRun>& runs) {
     Reach reach;
     std::vector<std::size_t> place;  // of each datum's label

@@ -85,8 +85,8 @@ std::size_t Misfit::condition_set(const std::vector<Condition>& conditions) {
     return sets_.size() - 1;
 }
 
-// A mechanism that predicts a profile must not escape the comparison at points where it has none, so that has to be
-// known beforehand.
+// A mechanism that predicts a profile must be compared with the observed one even at points where it predicts none, so
+// it has to be known beforehand whether it predicts any.
 void Misfit::find_out_about_profile() {
     std::vector<std::vector<double>> points = sobol_points(bounds_.size(), 15);
     for (std::vector<double>& point : points) {
@@ -185,7 +185,7 @@ std::string_view Misfit::visit_profile(const Prediction& prediction, const Visit
     const double weight = std::sqrt(vertices / static_cast<double>(profile_samples_.size())) /
                           std::hypot(observed.standard_deviation, scatter);
     for (const Point& point : profile_samples_) {
-        // positive where the prediction stands left of (above) the observed ground
+        // Positive if the prediction lies to the left of (above) the observed ground.
         const double pull = -weight * signed_distance(prediction.profile, point);
         if (!std::isfinite(pull)) {
             return "profile_missing";

@@ -1,8 +1,8 @@
-// The distance of one mechanism's predictions from the evidence, as defined in fit_problem.hpp.
+// The misfit between one mechanism's predictions and the evidence, as defined in fit_problem.hpp.
 //
-// Names are bound to indices once. The model is evaluated once per parameter vector for each distinct set of
-// conditions. Observations of quantities that the model lacks, or made under conditions on inputs that it lacks, are
-// left out of the misfit and reported by not_compared().
+// Names are resolved to indices once. The model is evaluated once per parameter vector for each distinct set of
+// conditions. Observations of quantities that the model lacks, or with conditions on inputs that it lacks, are left out
+// of the misfit and reported by not_compared().
 #pragma once
 
 #include "fitting/mechanism/fit_result.hpp"
@@ -27,12 +27,13 @@ struct MisfitParts {
     std::string_view failure;  // why there is no misfit; owned by the model or by the Misfit
 };
 
-// (predicted - observed) / standard deviation of each datum, profile samples weighted so that their squares add up to
-// the profile's part of the misfit. Behind what is equal to the mean of an ensemble follows what its scatter costs.
+// (predicted - observed) / standard deviation of each datum. Profile samples are weighted so that their squares add up
+// to the profile's part of the misfit. An equality with the mean of an ensemble is followed by a second residual, the
+// cost of the ensemble's scatter.
 struct Residuals {
     std::vector<double> pulls;
-    std::vector<bool> idle;       // a satisfied inequality, which adds nothing to the misfit
-    std::vector<double> scatter;  // standard deviation that chance adds to that of the datum
+    std::vector<bool> idle;       // true for a satisfied inequality, which adds nothing to the misfit
+    std::vector<double> scatter;  // standard deviation due to chance, added to that of the datum
     std::string_view failure;
 };
 
@@ -41,23 +42,24 @@ struct Datum {
     std::string label;
     Relation relation;
     double standard_deviation;
-    double share;  // of a datum: the samples of a profile together count as many as it has vertices
-    bool cost;     // of the scatter of what was predicted
+    double share;  // of a datum: the samples of a profile share the weight of as many data as it has vertices
+    bool cost;     // true for the cost of the scatter of a prediction
 
     bool operator==(const Datum&) const = default;
 };
 
-// The residual of a cost. A case that scatters about what is predicted is found where it was with a normal density; the
-// factor 1 / standard deviation of that, against the one without scatter, is written as a square like all others:
+// The residual of a cost. If the real slope is one of an ensemble that scatters about the prediction, the normal
+// density of the observation is lower by the factor below than without scatter. The factor is written as a square like
+// all other residuals:
 //     exp(-cost^2 / 2) = (standard deviation / hypot(standard deviation, scatter))^share.
 double cost_of_scatter(double scatter, double standard_deviation, double share);
 
-// Sum of squares of those that are not idle; meaningful where there is no failure.
+// Sum of squares of the residuals that are not idle; meaningful if there is no failure.
 double data_misfit(const Residuals& residuals);
 
 class Misfit {
   public:
-    // Keeps references to both. Throws std::invalid_argument if check_problem finds fault with the mechanism's names.
+    // Keeps references to both. Throws std::invalid_argument if check_problem finds a fault in the mechanism's names.
     // Evaluates the model at up to 16 points to learn whether it predicts a profile.
     Misfit(const Mechanism& mechanism, const FitProblem& problem);
     Misfit(const Misfit&) = delete;
@@ -65,37 +67,37 @@ class Misfit {
 
     const Mechanism& mechanism() const { return mechanism_; }
     const FitProblem& problem() const { return problem_; }
-    // The problem's, those that the mechanism has in its own terms replaced.
+    // Those of the problem, except where the mechanism states them in its own terms.
     const std::vector<QuantityObservation>& observations() const { return observations_; }
     const std::vector<Interval>& bounds() const { return bounds_; }
     std::vector<Dimension> dimensions() const;
     // Indices of the parameters with lower < upper.
     std::vector<std::size_t> free_parameters() const;
     bool has_priors() const;
-    // The prior mean where there is one, moved into the bounds; the middle of the bounds elsewhere.
+    // The prior mean where there is one, moved into the bounds; otherwise the middle of the bounds.
     std::vector<double> centre() const;
 
     // All of the following take one number per parameter of the mechanism, SI.
     MisfitParts parts(std::span<const double> parameters) const;
-    // The priors' part alone; evaluates no model.
+    // The part of the priors alone; does not evaluate the model.
     double prior(std::span<const double> parameters) const;
     Evaluation value(std::span<const double> parameters, Priors priors) const;
     Residuals residuals(std::span<const double> parameters) const;
-    // The observation of each of them, in their order.
+    // The observation to which each residual belongs, in their order.
     std::vector<Datum> data() const;
     Prediction predict(std::span<const double> parameters) const;
     // One row per quantity observation of the problem, in its order.
     std::vector<ObservationFit> compare(std::span<const double> parameters) const;
-    // Nothing where no profile is predicted.
+    // Nothing if no profile is predicted.
     std::optional<ProfileFit> compare_profile(std::span<const double> parameters) const;
 
-    // By how much the scatter of predictions lowers the logarithm of the likelihood at a mean that fits.
+    // How much the scatter of predictions lowers the logarithm of the likelihood if the mean agrees with the data.
     double scatter_cost(std::span<const double> parameters) const;
 
     // Index of an output of the model by name.
     std::optional<std::size_t> output(std::string_view name) const;
     int data_count() const;
-    // Number of data left out, a profile counting its vertices.
+    // Number of data left out; a profile counts with its number of vertices.
     int missing_count() const;
     // One sentence for each datum left out.
     std::vector<std::string> not_compared() const;
@@ -109,8 +111,8 @@ class Misfit {
     struct BoundObservation {
         std::size_t observation;  // index into observations_
         std::size_t output;
-        std::optional<std::size_t> scatter;  // output with its standard deviation
-        std::string not_a_number;            // cause of failure
+        std::optional<std::size_t> scatter;  // the output that gives the scatter as a standard deviation
+        std::string not_a_number;            // text of the failure if the output has no value
     };
     struct Unbound {
         std::size_t observation;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double least_share_of_component = 1e-3;
 
-// E[exp(-min(0, r)^2 / 2)] for r normal: 1 where the inequality holds.
+// E[exp(-min(0, r)^2 / 2)] for a normal r; 1 where the inequality holds.
 double likelihood_of_inequality(double mean, double variance) {
     if (variance <= 0) {
         return mean >= 0 ? 1 : std::exp(-mean * mean / 2);
@@ -28,7 +28,7 @@ double likelihood_of_inequality(double mean, double variance) {
     return normal_probability(mean / deviation).below + broken;
 }
 
-// Nodes and weights for the mean over a standard normal number; exact to degree 9.
+// Nodes and weights for the mean of a function of a standard normal number; exact up to degree 9.
 constexpr std::array<double, 5> node{-2.8569700138728, -1.3556261799742659, 0, 1.3556261799742659, 2.8569700138728};
 constexpr std::array<double, 5> weight{0.011257411327720691, 0.2220759220056126, 0.5333333333333333, 0.2220759220056126,
                                        0.011257411327720691};
@@ -52,7 +52,7 @@ Eigen::MatrixXd principal_directions(const Eigen::MatrixXd& rows) {
 
 double LikelihoodEstimate::log_deviation() const {
     const double log_ratio = log_mean_square - 2 * log_mean;
-    // Where the mean is nothing beside it the deviation is the root of the mean square, and the ratio beyond a double.
+    // If the mean is negligible the deviation is the root of the mean square, and the ratio would overflow a double.
     constexpr double beyond_a_double = 700;
     if (log_ratio > beyond_a_double) {
         return log_mean_square / 2;

@@ -27,7 +27,7 @@ double log_prior(std::span<const double> normal) {
     return sum;
 }
 
-// Densities and draws in the standard normal numbers of the prior. Without a mixture, the prior itself.
+// Densities and draws in the standard normal numbers of the prior. Without a mixture it is the prior itself.
 class Proposal {
   public:
     explicit Proposal(std::size_t dimension) : dimension_(dimension) {}
@@ -37,7 +37,7 @@ class Proposal {
 
     std::size_t unit_dimension() const { return dimension_ + 2; }
 
-    // Whether the point comes from the prior.
+    // Draws a point and returns whether it comes from the prior.
     bool draw(std::span<double> unit, std::span<double> normal) const {
         const bool from_prior = !mixture_ || unit[0] < prior_share;
         if (from_prior) {
@@ -78,7 +78,7 @@ Proposal proposal_from(const PriorSpace& prior, std::span<const Draw> draws, std
     return {as_columns(points), Eigen::VectorXd::Ones(static_cast<Eigen::Index>(count)), seed};
 }
 
-// Points drawn from a proposal, and what the model said.
+// Points drawn from a proposal, with the evaluations of the model.
 struct Sample {
     Eigen::MatrixXd points;  // one per column, standard normal numbers
     std::vector<Evaluation> evaluations;
@@ -89,7 +89,7 @@ struct Sample {
     }
 };
 
-// Replicates first, first + 1, ... of the sequence, one after the other. Shorter where the work was stopped.
+// Draws replicates first, first + 1, ... of the sequence, one after the other; fewer points if the work was stopped.
 Sample sample_from(const Proposal& proposal, const Evaluator& misfit, const PriorSpace& prior,
                    const SobolSequence& sequence, std::size_t points, std::size_t first, std::size_t replicates) {
     Sample sample;
@@ -107,8 +107,8 @@ Sample sample_from(const Proposal& proposal, const Evaluator& misfit, const Prio
     return sample;
 }
 
-// Pilot points of several proposals, each weighted against the mean of all of them, so that no single one that fitted
-// badly rules the weights.
+// Pilot points of several proposals. The density behind each weight is the mean of all proposals, so that a single
+// proposal that fitted badly does not dominate the weights.
 class Pilots {
   public:
     void add(const Proposal& proposal, const Sample& sample) {
@@ -122,14 +122,14 @@ class Pilots {
         }
     }
 
-    // Nothing where no point has an answer.
+    // Nothing if no point has an answer.
     std::optional<Proposal> refitted(std::uint64_t seed) const {
         if (points_.empty()) {
             return std::nullopt;
         }
         std::vector<double> logs;
         for (std::size_t index = 0; index < points_.size(); ++index) {
-            double density = 0;  // over that of the prior
+            double density = 0;  // divided by the density of the prior
             for (const Proposal& proposal : proposals_) {
                 density += std::exp(proposal.log_ratio(points_[index]));
             }
@@ -150,7 +150,7 @@ class Pilots {
     }
 
   private:
-    static constexpr double negligible = 14;  // a millionth of the greatest
+    static constexpr double negligible = 14;  // logarithm; a millionth of the greatest weight
 
     std::vector<Proposal> proposals_;
     std::vector<std::vector<double>> points_;
@@ -158,7 +158,7 @@ class Pilots {
 };
 
 struct Weights {
-    std::vector<double> logs;  // of likelihood times weight; -infinity where the model has no answer
+    std::vector<double> logs;  // log of likelihood times weight; -infinity where the model has no answer
     double least_misfit = std::numeric_limits<double>::infinity();
     double failed_share = 0;
     EvaluationCount evaluations;
@@ -246,8 +246,8 @@ Evidence of_one_point(const Evaluator& misfit, const PriorSpace& prior) {
     return evidence;
 }
 
-// Draws may be few, or of another distribution: the mixture is refitted to weighted pilot points until those of a new
-// pilot weigh about the same; the best one is taken.
+// The draws may be few or from another distribution. The mixture is therefore refitted to weighted pilot points until
+// the weights of a new pilot are about equal; the best mixture is returned.
 Proposal best_proposal(const Evaluator& misfit, const PriorSpace& prior, std::span<const Draw> draws,
                        const EvidenceSettings& settings, const SobolSequence& sequence, EvaluationCount& account) {
     constexpr double enough = 0.4;

@@ -1,10 +1,10 @@
-// A back-analysis: what was observed, which mechanisms may explain it, and what is free in each.
+// A back-analysis: what was observed, which mechanisms may explain it, and which inputs of each are free.
 //
 // The objective of one mechanism is
 //     misfit(p) = sum over observations ((predicted - observed) / standard deviation)^2
 //               + sum over priors ((p - mean) / standard deviation)^2
-// in natural units of chi-square. An inequality adds its square only where it is broken. A profile adds (number of its
-// vertices) times the mean square of distance / standard deviation over profile_samples points spaced equally along the
+// in natural units of chi-square. An inequality adds its square only if it is violated. A profile adds (number of its
+// vertices) times the mean square of distance / standard deviation over profile_samples equally spaced points along the
 // observed line, the distance being that to the nearest point of the predicted line.
 #pragma once
 
@@ -24,7 +24,7 @@ namespace delabole {
 
 class Ranks;
 
-// Normal, cut off at the parameter's bounds.
+// A normal distribution, cut off at the parameter's bounds.
 struct Prior {
     double mean;
     double standard_deviation;  // > 0
@@ -46,7 +46,7 @@ struct FreeParameter {
     double lower;  // lower == upper fixes the parameter
     double upper;
     std::optional<Prior> prior;
-    std::vector<std::string> also = {};  // as two points of a water table
+    std::vector<std::string> also = {};  // further inputs with the same value, such as two points of a water table
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
         using P = FreeParameter;
@@ -64,12 +64,12 @@ enum class Relation { equal, at_least, at_most };
 
 struct QuantityObservation {
     std::string label;
-    std::string quantity;  // a mechanism without that output leaves the observation unexplained
+    std::string quantity;  // a mechanism without this output leaves the observation unexplained
     Relation relation = Relation::equal;
     double value;
-    double standard_deviation;  // > 0; of measurement, or of the model for a factor of safety at failure
-    // Values that inputs had when the observation was made, where they differ from the mechanism's (for example the
-    // water level on the day the slope still stood). They override free parameters of the same name.
+    double standard_deviation;  // > 0; of the measurement, or of the model for a factor of safety at failure
+    // Values that inputs had when the observation was made, if they differ from the mechanism's (for example the water
+    // level on the day when the slope still stood). They override free parameters of the same name.
     std::vector<Condition> conditions;
     std::string source;
     Dimension dimension = Dimension::ratio;
@@ -89,7 +89,7 @@ struct QuantityObservation {
 };
 
 struct ProfileObservation {
-    Polyline profile;           // same axes as the model
+    Polyline profile;           // in the coordinates of the model
     double standard_deviation;  // m, > 0
     std::string source;
     static constexpr auto fields() {
@@ -104,7 +104,7 @@ struct ProfileObservation {
     }
 };
 
-// Evidence without a number, such as "crest_block_rotation": a mechanism explains it or it does not.
+// Evidence without a number, such as "crest_block_rotation", which a mechanism either explains or does not.
 struct FieldEvidence {
     std::string name;
     std::string statement;
@@ -119,7 +119,7 @@ struct FieldEvidence {
     }
 };
 
-// A prediction at the best point shows a piece of field evidence where an output is at least, or at most, a value.
+// The prediction at the best point shows a piece of field evidence if an output is at least, or at most, a value.
 struct EvidenceSign {
     std::string evidence;
     std::string quantity;
@@ -137,11 +137,11 @@ struct EvidenceSign {
     }
 };
 
-// A measurement that could be made next: how much it would tell is asked before it is paid for.
+// A measurement that could be made next; the expected information is computed before it is paid for.
 struct FitCandidate {
     std::string label;
-    // What is measured may have one name in one mechanism, another in the next. The first that a mechanism has counts;
-    // one that has none learns nothing.
+    // Mechanisms may give the measured quantity different names. The first name that a mechanism has is used; a
+    // mechanism that has none of them learns nothing.
     std::vector<std::string> quantities;
     double standard_deviation;  // > 0
     std::vector<Condition> conditions;
@@ -164,7 +164,7 @@ struct FitCandidate {
     }
 };
 
-// The claim that these mechanisms explain the failure: their probabilities together.
+// The claim that the given mechanisms explain the failure, tested by the sum of their probabilities.
 struct ClaimOfMechanisms {
     std::vector<std::string> mechanisms;
     static constexpr auto fields() {
@@ -177,9 +177,9 @@ struct ClaimOfMechanisms {
 struct ClaimOfQuantity {
     std::string mechanism;
     std::string quantity;
-    std::vector<Condition> conditions;  // that make it differ from what was fitted
+    std::vector<Condition> conditions;  // inputs that differ from what was fitted
     std::optional<std::vector<Condition>>
-        against;  // what is claimed is then by how much it exceeds its value under these
+        against;  // the claim is then about the increase over the value under these conditions
     static constexpr auto fields() {
         using C = ClaimOfQuantity;
         return std::tuple{
@@ -197,7 +197,7 @@ struct ConclusionTest {
     std::variant<ClaimOfMechanisms, ClaimOfQuantity> of;
     Relation relation = Relation::at_least;  // or at_most
     double limit;                            // of the probability, the quantity or the difference
-    Dimension dimension = Dimension::ratio;  // of that
+    Dimension dimension = Dimension::ratio;  // of the limit
     static constexpr auto fields() {
         using T = ConclusionTest;
         return std::tuple{
@@ -213,7 +213,7 @@ struct ConclusionTest {
 struct Conclusion {
     std::string label;
     std::string statement;
-    std::vector<ConclusionTest> tests;  // empty: no mechanism has a say
+    std::vector<ConclusionTest> tests;  // empty: no mechanism can test it
     std::string source;
     std::string note;
     static constexpr auto fields() {
@@ -228,15 +228,15 @@ struct Conclusion {
     }
 };
 
-// The part of a mechanism that is not its model.
+// Everything about a mechanism except its model.
 struct MechanismTask {
     std::string name;
     std::string title;
     std::vector<FreeParameter> parameters = {};
-    // Observations of all mechanisms, by the same label, in terms of an output that this one has: "it failed" is a
-    // factor of safety of one and a failed area of half the slope.
+    // Replacements for observations with the same label, in terms of an output that this mechanism has: "it failed" can
+    // mean a factor of safety of one, or a failed area of half the slope.
     std::vector<QuantityObservation> own_observations = {};
-    std::vector<EvidenceSign> signs = {};  // of field evidence; every sign of a name has to hold
+    std::vector<EvidenceSign> signs = {};  // of field evidence; all signs given for one piece of evidence have to hold
     static constexpr auto fields() {
         using M = MechanismTask;
         return std::tuple{
@@ -251,14 +251,15 @@ struct MechanismTask {
 
 struct Mechanism : MechanismTask {
     ModelInterface model = {};
-    // For a costly model: cheaper and less exact, with the same inputs and outputs. It says where runs would be wasted.
+    // A cheaper and less accurate version of a costly model, with the same inputs and outputs. It shows where runs
+    // would be wasted.
     std::optional<ModelInterface> coarse = {};
 };
 
 // Points along an observed profile at which its distance from the predicted one is taken.
 inline constexpr std::size_t profile_samples = 50;
 
-// Mechanisms whose model is costly are fitted through a surrogate made of runs (surrogate.hpp).
+// Mechanisms with a costly model are fitted through a surrogate made from runs of it (surrogate.hpp).
 struct SurrogateSettings {
     int runs = 120;
     std::optional<int> first_runs;
@@ -266,14 +267,14 @@ struct SurrogateSettings {
     double give_up_below = 1e-3;
     static constexpr auto fields() {
         using S = SurrogateSettings;
-        constexpr Interval runs_range = within(12, 2000);  // more make a surrogate that takes longer than the model
+        constexpr Interval runs_range = within(12, 2000);  // with more runs the surrogate takes longer than the model
         return std::tuple{
             with_default(number("runs", &S::runs, Dimension::ratio, runs_range, "runs at most")),
             number("first_runs", &S::first_runs, Dimension::ratio, runs_range,
                    "runs before the surrogate says where to run; 10 for each parameter where it is absent"),
             with_default(number("tolerance", &S::tolerance, Dimension::ratio, between(0, 1),
                                 "relative error of the evidence that is small enough to stop")),
-            // Cheap mechanisms prune costly ones.
+            // Cheap mechanisms are fitted first, so that costly ones with a far lower evidence can be given up.
             with_default(number("give_up_below", &S::give_up_below, Dimension::ratio, right_open(0, 1),
                                 "no more runs once the evidence, with twice its error, is less than this share of the "
                                 "best of mechanisms of another kind; 0 for never")),
@@ -291,7 +292,7 @@ struct FitSettings {
     std::uint64_t seed = 1;
     SurrogateSettings surrogate = {};
     int threads = 1;               // >= 1; the result does not depend on it
-    const Ranks* ranks = nullptr;  // nor on these; null: this process alone
+    const Ranks* ranks = nullptr;  // no result depends on them; null: this process alone
     static constexpr auto fields() {
         using S = FitSettings;
         constexpr Interval points_range = within(5, 2001);
@@ -301,7 +302,7 @@ struct FitSettings {
                 number("starts", &S::starts, Dimension::ratio, within(1, 100'000),
                        "local runs, from the prior means, then from a Sobol sequence; a global algorithm makes "
                        "one run with the evaluations of all")),
-            // A quarter is kept for the polish.
+            // A quarter of the evaluations is kept for polishing.
             with_default(number("evaluations_per_start", &S::evaluations_per_start, Dimension::ratio,
                                 within(10, 100'000'000), "evaluations of each at most")),
             with_default(number("relative_tolerance", &S::relative_tolerance, Dimension::ratio, between(0, 1),
@@ -316,10 +317,10 @@ struct FitSettings {
     }
 };
 
-// The part of a back-analysis that is not its mechanisms.
+// Everything about a back-analysis except its mechanisms.
 struct FitTask {
     FitSettings settings = {};
-    std::optional<PosteriorStudy> posterior = {};  // absent: neither posteriors nor evidences
+    std::optional<PosteriorStudy> posterior = {};  // absent: no posteriors and no evidences are computed
     std::vector<QuantityObservation> observations = {};
     std::optional<ProfileObservation> profile = {};
     std::vector<FieldEvidence> evidence = {};

@@ -15,7 +15,7 @@ namespace delabole {
 namespace {
 
 using Chains = std::vector<PosteriorChain>;
-using Values = std::vector<std::vector<double>>;  // of one parameter, chain by chain
+using Values = std::vector<std::vector<double>>;  // values of one parameter, chain by chain
 
 Values values_of(const Chains& chains, std::size_t parameter, std::size_t steps) {
     Values values;
@@ -101,7 +101,7 @@ std::vector<Draw> thinned(const Chains& chains, std::size_t steps, std::size_t w
     std::vector<Draw> draws;
     for (std::size_t number = 0; number < chains.size(); ++number) {
         for (std::size_t place = 0; place < kept; ++place) {
-            // The last of each stretch, so that the draws lie as far apart as may be.
+            // The last state of each stretch is taken, so that the draws lie as far apart as possible.
             const PosteriorChain::State& state = chains[number].states()[(place + 1) * steps / kept - 1];
             draws.push_back({static_cast<int>(number), state.parameters, state.misfit});
         }
@@ -109,7 +109,7 @@ std::vector<Draw> thinned(const Chains& chains, std::size_t steps, std::size_t w
     return draws;
 }
 
-// Describes the free parameters; true where all meet the diagnostics.
+// Describes the free parameters; returns whether all of them meet the diagnostics.
 bool describe_all(const Chains& chains, const PriorSpace& prior, std::size_t steps, Posterior& posterior) {
     posterior.parameters.clear();
     bool all = true;
@@ -132,7 +132,7 @@ void for_each_chain(Chains& chains, int threads, const std::function<void(std::s
     run_tasks(chains.size(), threads, task);
 }
 
-// The states of all chains, as many of each.
+// An archive of states, equally many of each chain.
 PosteriorArchive archive_of(const Chains& chains, std::uint64_t seed) {
     constexpr std::size_t size = 1200;
     constexpr std::size_t most_components = 16;
@@ -147,7 +147,7 @@ PosteriorArchive archive_of(const Chains& chains, std::uint64_t seed) {
     return {std::move(points), StudentMixture(columns, Eigen::VectorXd::Ones(columns.cols()), most_components, seed)};
 }
 
-// Rounds of walking, each twice as long, until the diagnostics are met. False where the work was stopped.
+// Rounds of steps, each twice as long as the last, until the diagnostics are met. False if the work was stopped.
 bool walk_until_converged(const Evaluator& misfit, const PriorSpace& prior, const PosteriorSettings& settings,
                           Chains& chains, Posterior& posterior) {
     int steps = std::max(settings.draws / settings.chains, 8);
@@ -197,7 +197,7 @@ Posterior sample_posterior(const Evaluator& misfit, const PriorSpace& prior, con
     std::vector<char> begun(chains.size());
     for_each_chain(chains, misfit.threads, [&](std::size_t number) { begun[number] = chains[number].begin() ? 1 : 0; });
     const bool all_begun = std::find(begun.begin(), begun.end(), 0) == begun.end();
-    // A chain without a valid start speaks for all: its thousands of draws of the prior all failed.
+    // If one chain found no valid start none is sampled, because its thousands of draws of the prior all failed.
     const bool finished = all_begun && walk_until_converged(misfit, prior, settings, chains, posterior);
     for (const PosteriorChain& chain : chains) {
         posterior.evaluations.add(chain.evaluations());

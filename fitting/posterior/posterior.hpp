@@ -1,16 +1,17 @@
-// Samples of the parameters' distribution given the data: density proportional to exp(-misfit / 2) times the prior's,
-// the misfit being chi-square of the data alone. A point where the model has no answer has no density.
+// Samples from the distribution of the parameters given the data. Its density is proportional to exp(-misfit / 2) times
+// that of the prior, the misfit being chi-square of the data alone; it is zero where the model has no answer.
 //
-// Several chains, each begun as a population drawn from the prior that moves by differential evolution towards the
-// posterior. Then one walker of each goes on. Its steps are differences between points of an archive of earlier states
-// of all chains, a third of them cut down by up to a factor of 30 for ridges that bend; snooker steps along the line
-// through one of them; and draws from a mixture of Student distributions fitted to the archive. So they have the size
-// and direction of the posterior without tuning, and reach every mode that any chain has found. The archive is fixed
-// while draws are kept: the chain is then a plain Metropolis chain and its distribution exact. Where the diagnostics
-// are not met, the draws only make the next archive, and the chains go on twice as long. The walk takes place in the
-// standard normal numbers of prior_space.hpp.
+// There are several chains. Each begins as a population drawn from the prior that moves by differential evolution
+// towards the posterior, and one member of it then continues as a single chain. Its steps are of three kinds:
+// differences between points of an archive of earlier states of all chains, a third of them shortened by up to a factor
+// of 30 for curved ridges; snooker steps along the line through a point of the archive; and draws from a mixture of
+// Student distributions fitted to the archive. The steps therefore have the size and direction of the posterior without
+// tuning, and reach every mode that any chain has found. The archive does not change while draws are kept: the chain is
+// then a plain Metropolis chain and its distribution exact. As long as the diagnostics are not met, the draws only form
+// the next archive and the chains continue twice as long. The chains move in the standard normal numbers of
+// prior_space.hpp.
 //
-// Accuracy: quantiles and means err as those of bulk_size or tail_size independent draws.
+// Accuracy: quantiles and means have the errors of bulk_size or tail_size independent draws.
 // Sources: C. J. F. ter Braak, Statistics and Computing 16 (2006) 239-249; C. J. F. ter Braak & J. A. Vrugt, Statistics
 // and Computing 18 (2008) 435-446.
 #pragma once
@@ -27,14 +28,14 @@
 
 namespace delabole {
 
-// The chains have converged for a parameter at R-hat below 1.01 and effective sizes of bulk and tails above 400, as
-// Vehtari et al. (2021) advise.
+// The chains have converged for a parameter if R-hat is below 1.01 and the effective sizes of bulk and tails are above
+// 400, as Vehtari et al. (2021) advise.
 inline constexpr double greatest_r_hat = 1.01;
 inline constexpr double least_effective_size = 400;
 
 enum class PosteriorStatus {
     converged,
-    not_converged,   // the diagnostics are not met within the evaluations allowed: the draws are no fair sample
+    not_converged,   // the diagnostics are not met within the evaluations allowed: the draws are not reliable
     no_valid_point,  // no draw of the prior has an answer
     interrupted,
 };
@@ -49,7 +50,7 @@ struct ParameterPosterior {
     ChainDiagnostics diagnostics{};
 };
 
-// Quantiles of one parameter from the first steps of every chain.
+// Quantiles of one parameter from the first steps of all chains.
 struct RunningQuantiles {
     int steps;  // of each chain
     double lower_95;
@@ -67,17 +68,17 @@ struct Draw {
 struct Posterior {
     PosteriorStatus status = PosteriorStatus::no_valid_point;
     std::vector<ParameterPosterior> parameters;          // those with lower < upper
-    Eigen::MatrixXd correlation;                         // of them
-    std::vector<Draw> draws;                             // thinned to `draws` of the settings, chain by chain
-    std::vector<std::vector<RunningQuantiles>> running;  // of each parameter, 10 lengths up to the whole
-    int steps = 0;                                       // of each chain, behind all of the above
+    Eigen::MatrixXd correlation;                         // between these parameters
+    std::vector<Draw> draws;                             // `draws` of the settings in number, chain by chain
+    std::vector<std::vector<RunningQuantiles>> running;  // for each parameter, at 10 lengths up to the whole
+    int steps = 0;                                       // of each chain, on which all of the above is based
     double acceptance = 0;                               // share of the steps that moved
     EvaluationCount evaluations;
 };
 
-// The parameters of the misfit's points are those of the prior, in SI. Same arguments, same result, whatever the number
-// of threads. Without free parameters the one point there is, as one draw. Throws std::invalid_argument for settings
-// outside their range.
+// The parameters in the misfit's points are those of the prior, in SI. The same arguments give the same result for any
+// number of threads. Without free parameters the only draw is the one point there is. Throws std::invalid_argument for
+// settings outside their range.
 Posterior sample_posterior(const Evaluator& misfit, const PriorSpace& prior, const PosteriorSettings& settings);
 
 }  // namespace delabole

@@ -32,14 +32,14 @@ bool PosteriorChain::evaluate(State& state) {
 
 PosteriorChain::Proposal PosteriorChain::difference_step(const State& from, const Points& archive) {
     const auto dimension = static_cast<double>(from.normal.size());
-    // A full difference jumps from mode to mode; the usual length is the best for a normal distribution.
+    // A full difference can jump from one mode to another; the other length is the best for a normal distribution.
     double length = random_.unit() < 0.1 ? 1 : 2.38 / std::sqrt(2 * dimension);
     if (random_.unit() < 1.0 / 3) {
         length *= std::pow(30, -random_.unit());
     }
     const std::size_t first = random_.below(archive.size());
     const std::size_t second = (first + 1 + random_.below(archive.size() - 1)) % archive.size();
-    // Keeps every point within reach though the archive is finite.
+    // A small random offset makes every point reachable although the archive is finite.
     constexpr double tremble = 1e-4;
     Proposal proposal{from.normal, 0};
     for (std::size_t index = 0; index < proposal.normal.size(); ++index) {
@@ -65,7 +65,7 @@ PosteriorChain::Proposal PosteriorChain::snooker_step(const State& from, const P
     if (!(squared > 0)) {
         return proposal;
     }
-    const double stretch = length * along / squared;  // of the distance to the anchor
+    const double stretch = length * along / squared;  // as a share of the distance to the anchor
     for (std::size_t index = 0; index < anchor.size(); ++index) {
         proposal.normal[index] += stretch * (from.normal[index] - anchor[index]);
     }
@@ -120,7 +120,7 @@ bool PosteriorChain::begin() {
     if (population.empty()) {
         return false;
     }
-    // Where answers are rare, members share a place until they have moved apart.
+    // If few draws have an answer, several members begin at the same point and then move apart.
     const std::size_t found = population.size();
     while (population.size() < members) {
         population.push_back(population[population.size() - found]);

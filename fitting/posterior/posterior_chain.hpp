@@ -1,4 +1,4 @@
-// One chain of the posterior's sampler.
+// One chain in the sampling of a posterior.
 #pragma once
 
 #include "fitting/posterior/prior_space.hpp"
@@ -11,10 +11,10 @@
 
 namespace delabole {
 
-// The points from which all chains take their steps; they stay as they are while the chains walk.
+// The points from which all chains derive their steps; they do not change during a walk.
 struct PosteriorArchive {
     std::vector<std::vector<double>> points;  // earlier states of all chains, at least two
-    StudentMixture mixture;                   // in their shape
+    StudentMixture mixture;                   // fitted to the points
 };
 
 class PosteriorChain {
@@ -28,21 +28,21 @@ class PosteriorChain {
 
     PosteriorChain(const Evaluator& misfit, const PriorSpace& prior, std::uint64_t seed, int number);
 
-    // A population from the prior, moved by differential evolution; its last generations are the states. False where no
-    // draw has an answer or the work was stopped.
+    // Draws a population from the prior and moves it by differential evolution; the last generations become the states.
+    // False if no draw has an answer or the work was stopped.
     bool begin();
-    // The states are those after each step.
+    // Makes that many steps; the states are then those after each step.
     void walk(int steps, const PosteriorArchive& archive);
 
     const std::vector<State>& states() const { return states_; }
-    int moved() const { return moved_; }  // steps of the last walk that moved
+    int moved() const { return moved_; }  // number of steps of the last walk that moved
     const EvaluationCount& evaluations() const { return evaluations_; }
 
   private:
     using Points = std::vector<const std::vector<double>*>;
     struct Proposal {
         std::vector<double> normal;
-        double log_weight;  // of the step back over the step there
+        double log_weight;  // log of the density of the step back over that of the step
     };
 
     double normal_number();

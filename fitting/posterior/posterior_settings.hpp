@@ -8,13 +8,13 @@
 
 namespace delabole {
 
-// Fewer of each chain cannot be told to agree.
+// With fewer draws of each chain their agreement cannot be judged.
 inline constexpr int draws_per_chain = 8;
 
 struct PosteriorSettings {
     int chains = 8;                      // >= 2
-    int draws = 4000;                    // steps of all chains together in the first round; >= 8 for each chain
-    int evaluations_per_chain = 16'000;  // no further round is begun that would exceed it; >= 1
+    int draws = 4000;                    // steps of all chains together in the first round; at least 8 for each chain
+    int evaluations_per_chain = 16'000;  // limit, >= 1; a further round is begun only if it stays within
     std::uint64_t seed = 1;
 };
 
@@ -24,7 +24,7 @@ struct EvidenceSettings {
     std::uint64_t seed = 1;
 };
 
-// The settings of a back-analysis; the seed is the fit's own.
+// The settings of a posterior in a back-analysis; the seed is that of the fit.
 struct PosteriorStudy {
     int chains = PosteriorSettings{}.chains;
     int draws = PosteriorSettings{}.draws;

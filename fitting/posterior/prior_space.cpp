@@ -58,7 +58,7 @@ void PriorSpace::values(std::span<const double> standard_normal, std::span<doubl
 }
 
 std::vector<double> PriorSpace::coordinates(std::span<const double> parameters) const {
-    // Beyond, a probability cannot be told from 0 or 1 by its lower and upper part together.
+    // Farther out the lower and upper part of a probability together cannot tell it from 0 or 1.
     constexpr double furthest = 8.3;
     std::vector<double> result;
     for (std::size_t coordinate = 0; coordinate < free_.size(); ++coordinate) {

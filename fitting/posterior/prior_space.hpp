@@ -1,7 +1,7 @@
-// The prior of a mechanism's free parameters, as independent standard normal numbers z: parameter i is
-// F_i^-1(Phi(z_i)), F_i being its prior's distribution, normal and cut off at the bounds, or uniform between them where
-// there is no prior. Bounds need no care in z, the prior density there is that of standard normal numbers, and the
-// evidence is the mean of the likelihood over them.
+// The prior of a mechanism's free parameters, expressed by independent standard normal numbers z: parameter i is
+// F_i^-1(Phi(z_i)), F_i being the distribution of its prior, which is normal and cut off at the bounds, or uniform
+// between them if there is no prior. In z the bounds need no special treatment, the prior density is that of standard
+// normal numbers, and the evidence is the mean of the likelihood over them.
 #pragma once
 
 #include "fitting/posterior/fit_problem.hpp"
@@ -14,8 +14,9 @@
 
 namespace delabole {
 
-// Why no sample can be drawn from a prior: no finite bounds in order, or a normal prior that has less than 1e-12 of its
-// probability between them. Empty where nothing does; otherwise a sentence without the parameter's name.
+// Why no sample can be drawn from a prior: its bounds are not finite or not in order, or a normal prior has less than
+// 1e-12 of its probability between them. Empty if a sample can be drawn; otherwise a sentence without the parameter's
+// name.
 std::string fault_of_prior(const FreeParameter& parameter);
 
 class PriorSpace {
@@ -24,13 +25,13 @@ class PriorSpace {
     explicit PriorSpace(std::vector<FreeParameter> parameters);
 
     const std::vector<FreeParameter>& parameters() const { return parameters_; }
-    // Indices of the parameters with lower < upper: one coordinate each.
+    // Indices of the parameters with lower < upper; each has one coordinate.
     const std::vector<std::size_t>& free() const { return free_; }
     std::size_t size() const { return free_.size(); }
 
     // Parameters, fixed ones included, from one standard normal number for each free one.
     void values(std::span<const double> standard_normal, std::span<double> parameters) const;
-    // Its inverse, within +-8.3 whatever the parameters.
+    // The inverse of values(), limited to +-8.3 for all parameters.
     std::vector<double> coordinates(std::span<const double> parameters) const;
 
   private:

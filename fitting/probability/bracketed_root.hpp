@@ -13,10 +13,11 @@ struct RootBracket {
     double upper_value;
 };
 
-// Illinois variant of regula falsi, bisecting whenever a step has not halved the bracket in three: superlinear on
-// smooth functions, never worse than a third of bisection's speed. Stops when the bracket is shorter than `tolerance`
-// (> 0), the root then being known to within `tolerance`, or when |function| <= value_tolerance. Nothing where the
-// function is not finite on the way. Source: Dowell & Jarratt, BIT 11 (1971) 168-174.
+// Illinois variant of regula falsi, with a bisection whenever a step has not reduced the bracket to half its length
+// within three steps: superlinear on smooth functions, never slower than a third of bisection's speed. Stops when the
+// bracket is shorter than `tolerance` (> 0), which then bounds the error of the root, or when |function| <=
+// value_tolerance. Returns nothing where the function is not finite at a trial point. Source: Dowell & Jarratt, BIT 11
+// (1971) 168-174.
 template <class Function>
 std::optional<double> bracketed_root(const Function& function, RootBracket bracket, double tolerance,
                                      double value_tolerance = 0) {
@@ -34,7 +35,7 @@ std::optional<double> bracketed_root(const Function& function, RootBracket brack
             trial = middle;
         }
         if (trial == a || trial == b) {
-            break;  // neighbouring numbers: the bracket cannot shrink
+            break;  // the ends are neighbouring numbers: the bracket cannot shrink
         }
         const double value = function(trial);
         if (!std::isfinite(value)) {

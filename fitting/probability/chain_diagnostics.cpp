@@ -27,10 +27,10 @@ std::vector<Chain> halves(std::span<const Chain> chains) {
     return result;
 }
 
-// Normal scores of the ranks over all chains, equal values sharing their mean rank.
+// Normal scores of the ranks over all chains; equal values share their mean rank.
 std::vector<Chain> normal_scores(const std::vector<Chain>& chains) {
     const std::size_t length = chains.front().size();
-    std::vector<std::pair<double, std::size_t>> order;  // value and place, chain by chain
+    std::vector<std::pair<double, std::size_t>> order;  // value and its place, counted chain by chain
     order.reserve(length * chains.size());
     for (const Chain& chain : chains) {
         for (const double value : chain) {
@@ -85,7 +85,7 @@ Variances variances(const std::vector<Chain>& chains) {
     return {within, within * (length - 1) / length + between};
 }
 
-// Square root of the variance together over that within.
+// Square root of the ratio of the variance of all chains together to the variance within chains.
 double variance_ratio(const std::vector<Chain>& chains) {
     const Variances v = variances(chains);
     return v.within > 0 ? std::sqrt(v.together / v.within) : std::numeric_limits<double>::infinity();
@@ -114,7 +114,8 @@ double effective_size(const std::vector<Chain>& chains) {
         return 1 - (v.within - covariance / draws * static_cast<double>(length) / (static_cast<double>(length) - 1)) /
                        v.together;
     };
-    // Sums of neighbouring pairs of a reversible chain are positive and fall; where they cease to, noise begins.
+    // For a reversible chain the sums of neighbouring pairs of correlations are positive and decrease; where they cease
+    // to, only noise follows.
     double pairs = 1 + correlation(1);
     double sum = pairs;
     for (std::size_t lag = 2; lag + 1 < length; lag += 2) {
@@ -125,12 +126,12 @@ double effective_size(const std::vector<Chain>& chains) {
         pairs = std::min(pairs, next);
         sum += pairs;
     }
-    // Anticorrelated chains may beat independent draws, not without limit.
+    // Anticorrelated chains can do better than independent draws, but only within this limit.
     const double time = std::max(2 * sum - 1, 1 / std::log10(draws));
     return draws / time;
 }
 
-// Indicators of the values up to a quantile.
+// Indicators of the values that do not exceed a quantile.
 std::vector<Chain> up_to(const std::vector<Chain>& chains, double limit) {
     std::vector<Chain> result = chains;
     for (Chain& chain : result) {

@@ -1,5 +1,5 @@
-// Random numbers by their index, not by a running state: the number of a sample is the same whichever thread draws it
-// and whatever was drawn before.
+// Random numbers that follow from an index instead of a running state: a sample gets the same number whichever thread
+// draws it and whatever was drawn before.
 #pragma once
 
 #include <array>
@@ -8,9 +8,8 @@
 
 namespace delabole {
 
-// Philox4x32 with ten rounds: a bijection of 128-bit counters, keyed, that passes all known statistical tests. Source:
-// J. K. Salmon, M. A. Moraes, R. O. Dror & D. E. Shaw, Proc. SC11 (2011), "Parallel random numbers: as easy as 1, 2,
-// 3".
+// Philox4x32 with ten rounds: a keyed bijection of 128-bit counters that passes all known statistical tests. Source: J.
+// K. Salmon, M. A. Moraes, R. O. Dror & D. E. Shaw, Proc. SC11 (2011), "Parallel random numbers: as easy as 1, 2, 3".
 constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
     constexpr std::uint64_t multiplier_0 = 0xD2511F53U;
     constexpr std::uint64_t multiplier_1 = 0xCD9E8D57U;
@@ -48,7 +47,7 @@ class CountedRandom {
 
     // 64 random bits. index < 2^64, dimension < 2^31.
     constexpr std::uint64_t bits(std::uint64_t index, std::uint32_t dimension = 0) const {
-        // One bijection gives the bits of two neighbouring dimensions.
+        // One call of philox() gives the bits of two neighbouring dimensions.
         const std::array<std::uint32_t, 4> words =
             philox({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32U), dimension / 2,
                     static_cast<std::uint32_t>(purpose_)},
@@ -62,7 +61,7 @@ class CountedRandom {
         return (static_cast<double>(bits(index, dimension) >> 12U) + 0.5) * 0x1p-52;
     }
 
-    // From 0 to count - 1, each equally likely to within count / 2^52; 0 < count <= 2^30.
+    // A whole number from 0 to count - 1, each equally likely to within count / 2^52; 0 < count <= 2^30.
     constexpr std::size_t below(std::size_t count, std::uint64_t index, std::uint32_t dimension = 0) const {
         return static_cast<std::size_t>(unit(index, dimension) * static_cast<double>(count));
     }
@@ -72,8 +71,8 @@ class CountedRandom {
     RandomPurpose purpose_;
 };
 
-// Numbers one after the other, for a walk whose length nobody knows beforehand. Streams of different numbers are
-// independent; stream < 2^31.
+// Random numbers one after the other, for a random walk whose length is not known beforehand. Streams with different
+// numbers are independent; stream < 2^31.
 class RandomStream {
   public:
     RandomStream(std::uint64_t seed, RandomPurpose purpose, std::uint32_t stream)

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t hermite_terms = 120;
 using Coefficients = std::array<double, hermite_terms>;
 
-// Coefficients of (x(z) - mean) / standard deviation over Hermite polynomials normalised to unit variance; [0] is that
-// of degree 1.
+// Coefficients of (x(z) - mean) / standard deviation over Hermite polynomials normalised to unit variance; entry [0]
+// belongs to degree 1.
 Coefficients hermite_coefficients(const Marginal& marginal) {
     Coefficients coefficients{};
     for (int node = 0; node < normal_nodes; ++node) {
@@ -45,7 +45,8 @@ double linear_correlation(const Coefficients& first, const Coefficients& second,
     return sum;
 }
 
-// Correlation of two parameters that are functions of one number, rising together or against each other.
+// Correlation of two parameters that are both functions of one normal number and rise together (sign 1) or against each
+// other (sign -1).
 double extreme_correlation(const Marginal& first, const Marginal& second, double sign) {
     return normal_integral([&](double z) {
         return (first.value(z) - first.mean()) / first.standard_deviation() *
@@ -75,7 +76,7 @@ NormalCorrelation normal_correlation(const Marginal& first, const Marginal& seco
     const double low = excess(-nearly_one);
     const double high = excess(nearly_one);
     if (low >= 0 || high <= 0) {
-        // The correlation lies between the end of the series and the reach itself.
+        // The given correlation lies beyond what the truncated series gives, but within reach of the two distributions.
         return {DependenceCheck::valid, low >= 0 ? -nearly_one : nearly_one, reach};
     }
     const auto root = bracketed_root(excess, RootBracket{-nearly_one, nearly_one, low, high}, 1e-14);
@@ -109,7 +110,7 @@ InputSpace::InputSpace(std::vector<Marginal> marginals, const std::vector<Correl
         return;
     }
     const Eigen::LLT<Eigen::MatrixXd> cholesky(correlations_);
-    // A pivot of rounding is none.
+    // A pivot as small as this is a rounding error: the matrix counts as singular.
     if (cholesky.info() != Eigen::Success || !(cholesky.matrixLLT().diagonal().minCoeff() > 1e-7)) {
         check_ = DependenceCheck::not_positive_definite;
         return;

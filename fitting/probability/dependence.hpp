@@ -1,11 +1,11 @@
-// Uncertain parameters that depend on each other: given marginal distributions tied by a Gaussian copula.
+// Uncertain parameters that depend on each other: given marginal distributions with a Gaussian copula.
 //
-// z = L u, x_i = F_i^-1(Phi(z_i)) with u independent standard normal numbers and L L^T the matrix of correlations in
-// the space of z. A rank correlation (Spearman's) gives that of z as 2 sin(pi r / 6). A linear correlation (Pearson's,
-// of the values themselves) is another number than that of z unless both distributions are normal. That of z
-// solves
+// z = L u, x_i = F_i^-1(Phi(z_i)) with u independent standard normal numbers and L L^T the correlation matrix of z. A
+// rank correlation r (Spearman's) of the parameters gives the correlation of z as 2 sin(pi r / 6). A linear correlation
+// r (Pearson's, of the values themselves) equals that of z only if both distributions are normal; in general the
+// correlation z of the normal numbers solves
 //     r(z) = sum over k >= 1 of a_k b_k z^k / (s_1 s_2),
-// a_k being the coefficients of x_1(z) over normalised Hermite polynomials (Mehler's formula), which increases with z.
+// a_k being the coefficients of x_1(z) over normalised Hermite polynomials (Mehler's formula). r(z) increases with z.
 // Sources: A. Nataf, C. R. Acad. Sci. 225 (1962) 42-43; P.-L. Liu & A. Der Kiureghian, Probabilistic Engineering
 // Mechanics 1 (1986) 105-112.
 #pragma once
@@ -34,29 +34,29 @@ struct Correlation {
 
 enum class DependenceCheck {
     valid,
-    coefficient_out_of_reach,  // no joint distribution of these two has this linear correlation
-    not_positive_definite,     // each pair is possible, all together are not
+    coefficient_out_of_reach,  // the two distributions have no joint distribution with this linear correlation
+    not_positive_definite,     // each pair is possible, but not all of them together
 };
 
 struct NormalCorrelation {
     DependenceCheck check;
     double coefficient;  // of the standard normal numbers; 0 unless valid
-    Interval reach;      // linear correlations that the two distributions allow, ends excluded
+    Interval reach;      // linear correlations that the two distributions allow, without the ends
 };
 
-// Accuracy of the solved coefficient: 1e-9 up to 0.95, 1e-4 up to 0.999, where the series ends too early.
+// Accuracy of the coefficient found: 1e-9 up to 0.95, 1e-4 up to 0.999, where the series is cut off too early.
 NormalCorrelation normal_correlation(const Marginal& first, const Marginal& second, CorrelationMeasure measure,
                                      double coefficient);
 
 class InputSpace {
   public:
-    // Indices of the correlations are those of the marginals; each pair at most once.
+    // The correlations refer to marginals by index; each pair may occur at most once.
     InputSpace(std::vector<Marginal> marginals, const std::vector<Correlation>& correlations);
 
-    // The rest is meaningful only where valid.
+    // All other members are meaningful only if the check is valid.
     DependenceCheck check() const { return check_; }
-    std::size_t faulty_correlation() const { return faulty_; }  // where one is out of reach
-    Interval reach() const { return reach_; }                   // and what it may be
+    std::size_t faulty_correlation() const { return faulty_; }  // index of the correlation that is out of reach
+    Interval reach() const { return reach_; }                   // and the values that it may have
 
     std::size_t size() const { return marginals_.size(); }
     const Marginal& marginal(std::size_t index) const { return marginals_[index]; }
@@ -79,7 +79,7 @@ class InputSpace {
     bool independent_ = true;
 };
 
-// Most parameters of a study: what GSL tabulates of the Sobol sequence.
+// Greatest number of parameters of a study: GSL tabulates the Sobol sequence up to this dimension.
 inline constexpr std::size_t most_parameters = 40;
 
 }  // namespace delabole

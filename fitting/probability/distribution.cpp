@@ -14,13 +14,14 @@ namespace delabole {
 
 namespace {
 
-// Truncation to less would only draw the rounding of the tail.
+// A truncation that keeps less would draw only the rounding errors of the tail.
 constexpr double least_kept_probability = 1e-12;
 
-// Beyond this the moments lie so far out in the tail that no sample would find them.
+// For a greater ratio of standard deviation to mean the moments lie so far out in the tail that no sample would find
+// them.
 constexpr double widest_lognormal = 10;
 
-// Beyond a few of this GSL's continued fraction for the beta distribution does not converge.
+// For shape parameters a few times greater GSL's continued fraction for the beta distribution does not converge.
 constexpr double greatest_shapes = 1e5;
 
 using Faults = std::vector<DistributionFault>;
@@ -113,8 +114,8 @@ double inverse(const Triangular& law, std::pair<double, double>, Probability pro
     return law.upper - std::sqrt(probability.above * range * (law.upper - law.mode));
 }
 
-// Newton's method held inside a bracket. GSL's own inverse calls its error handler, which ends the program, where it
-// does not converge.
+// Newton's method, kept inside a bracket. GSL's own inverse cannot be used: where it does not converge it calls the
+// error handler, which ends the program.
 double beta_quantile(double probability, double a, double b) {
     double lower = 0;
     double upper = 1;
@@ -125,7 +126,8 @@ double beta_quantile(double probability, double a, double b) {
         (excess < 0 ? lower : upper) = share;
         const double density = gsl_ran_beta_pdf(share, a, b);
         const double newton = share - excess / density;
-        // Towards an end of the range the root may lie at any order of magnitude: halve that.
+        // Near the lower end of the range the root may have any order of magnitude, so the range of its logarithm is
+        // halved.
         const double middle = lower > 0 && upper > 4 * lower ? std::sqrt(lower * upper)
                               : lower > 0                    ? (lower + upper) / 2
                                                              : upper / 16;
@@ -144,12 +146,12 @@ double inverse(const Beta& law, std::pair<double, double> shape, Probability pro
     if (probability.below <= 0 || probability.above <= 0) {
         return probability.below <= 0 ? law.lower : law.upper;
     }
-    // Seen from the nearer end, so that a small probability is solved for and not its rest to 1.
+    // Solved from the nearer end, so that a small probability is used itself and not its complement to 1.
     return probability.below < probability.above ? law.lower + range * beta_quantile(probability.below, a, b)
                                                  : law.upper - range * beta_quantile(probability.above, b, a);
 }
 
-// Probability between two values, from the tail in which they lie.
+// Probability between two values, taken from the tail in which they lie so that no digits are lost.
 double between(Probability lower, Probability upper) {
     return lower.below < 0.5 ? upper.below - lower.below : lower.above - upper.above;
 }
@@ -267,7 +269,7 @@ Marginal::Marginal(const Distribution& distribution)
     if (const auto* law = std::get_if<Beta>(&law_)) {
         beta_shape_ = shape_of(*law);
     }
-    // About the median, so that a small spread about a large value keeps its digits.
+    // The integral is taken of the offset from the median, so that a small spread about a large value keeps its digits.
     const double median = value(0);
     const double offset = normal_integral([&](double number) { return value(number) - median; });
     mean_ = median + offset;

@@ -42,7 +42,7 @@ struct Lognormal {
     }
 };
 
-// Its values go from 0 up.
+// Its values range from 0 upwards.
 struct Exponential {
     double mean;  // > 0
     static constexpr std::string_view kind = "exponential";
@@ -74,8 +74,8 @@ struct Triangular {
     }
 };
 
-// Between two limits. Shapes a = m k and b = (1 - m) k, with m = (mean - lower) / (upper - lower) and
-// k = m (1 - m) ((upper - lower) / standard deviation)^2 - 1, which has to be positive.
+// Beta distribution between two limits. Its shape parameters are a = m k and b = (1 - m) k, with m = (mean - lower) /
+// (upper - lower) and k = m (1 - m) ((upper - lower) / standard deviation)^2 - 1, which has to be positive.
 struct Beta {
     double mean;
     double standard_deviation;
@@ -117,35 +117,37 @@ struct Distribution {
 inline constexpr Interval lower_quantile = between(0, 0.5);
 inline constexpr Interval upper_quantile = between(0.5, 1);
 
-// A fault of one value of a distribution.
+// A fault in one of the values that describe a distribution.
 struct DistributionFault {
     std::string_view key;  // "standard_deviation", "lower", ...
     std::string message;   // the inequality it breaks
 };
 
-// Values that are not finite or out of order, a standard deviation that is not positive or too large for the limits of
-// a beta distribution, a truncation that leaves a probability below 1e-12. Empty for a distribution that can be drawn.
+// Finds values that are not finite or out of order, a standard deviation that is not positive or too large for the
+// limits of a beta distribution, and a truncation that leaves a probability below 1e-12. Empty for a distribution that
+// can be drawn.
 std::vector<DistributionFault> check(const Distribution& distribution);
 
-// A probability and what it lacks to 1, each to full relative accuracy.
+// A probability and its complement to 1, each to full relative accuracy.
 struct Probability {
     double below;
     double above;
 };
 Probability normal_probability(double standard_normal);
-// Inverse; infinite at 0 and 1. Accuracy: GSL's, relative 1e-15. Source: GSL manual, gsl_cdf_ugaussian_Pinv.
+// Quantile of the standard normal distribution; infinite at 0 and 1. Accuracy: GSL's, relative 1e-15. Source: GSL
+// manual, gsl_cdf_ugaussian_Pinv.
 double normal_quantile(double probability);
 
-// A distribution ready to be drawn. Throws std::invalid_argument for one that check() refuses.
+// A distribution that can be drawn. Throws std::invalid_argument for one in which check() finds a fault.
 class Marginal {
   public:
     explicit Marginal(const Distribution& distribution);
 
-    // The value with the same probability as this standard normal number. Accuracy: relative 1e-13 of the value's
-    // distance from the nearer limit, beta 1e-12.
+    // The value whose probability equals that of this standard normal number. Accuracy: 1e-13 of the distance between
+    // the value and the nearer limit, 1e-12 for a beta distribution.
     double value(double standard_normal) const;
     double quantile(double probability) const { return value(normal_quantile(probability)); }
-    // Probability of smaller and of greater values, truncation included.
+    // Probabilities of smaller and of greater values, with the truncation.
     Probability probability(double value) const;
 
     // Moments of the truncated distribution. Accuracy: 1e-10 of the standard deviation, by the trapezium rule over the

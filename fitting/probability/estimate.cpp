@@ -70,7 +70,7 @@ Interval wilson_interval(double hits, double trials) {
     const double weight = z * z / trials;
     const double centre = (share + weight / 2) / (1 + weight);
     const double half = z / (1 + weight) * std::sqrt(share * (1 - share) / trials + weight / (4 * trials));
-    // The ends that the formula gives exactly, but for rounding.
+    // At these two ends the formula is exact; the rounding of its terms is avoided.
     return {hits == 0 ? 0 : centre - half, hits == trials ? 1 : centre + half};
 }
 

@@ -5,10 +5,10 @@
 
 namespace delabole {
 
-// Trapezium rule with step 1 / 8 over [-9, 9], where the weight has fallen to 1e-18. For analytic functions it errs by
-// exp(-2 pi^2 / h^2), far below rounding; a bounded jump in the second derivative, as the mode of a triangular
-// distribution makes, costs about h^3 / 12 of its size. Source: L. N. Trefethen & J. A. C. Weideman, SIAM Review 56
-// (2014) 385-458, section 5.
+// Trapezium rule with step h = 1 / 8 over [-9, 9], at whose ends the weight has fallen to 1e-18. For analytic functions
+// the error is exp(-2 pi^2 / h^2), far below rounding; a bounded jump in the second derivative, as at the mode of a
+// triangular distribution, adds an error of about h^3 / 12 of the jump. Source: L. N. Trefethen & J. A. C. Weideman,
+// SIAM Review 56 (2014) 385-458, section 5.
 inline constexpr int normal_nodes = 145;
 
 constexpr double normal_node(int index) {

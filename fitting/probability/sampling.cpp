@@ -35,7 +35,7 @@ SobolSequence::SobolSequence(std::size_t dimension, std::size_t count, std::uint
         throw std::bad_alloc();
     }
     // GSL steps in Gray-code order: point n + 1 differs from point n by the direction of the lowest zero digit of n, so
-    // each direction is seen for the first time between points 2^digit - 1 and 2^digit.
+    // each direction first appears between points 2^digit - 1 and 2^digit.
     std::vector<double> point(dimension);
     std::vector<std::uint32_t> before(dimension, 0);
     std::size_t drawn = 0;

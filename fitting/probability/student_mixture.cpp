@@ -20,7 +20,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Standard deviations below this are as good as none in standard normal numbers.
+// A standard deviation of 1e-5 is negligible in the space of standard normal numbers.
 constexpr double least_variance = 1e-10;
 
 struct NormalComponent {
@@ -29,7 +29,7 @@ struct NormalComponent {
     MatrixXd factor;
 };
 
-// Lower triangular factor of a covariance that may be singular.
+// Lower triangular Cholesky factor of a covariance matrix that may be singular.
 MatrixXd factor_of(MatrixXd covariance) {
     covariance.diagonal().array() += least_variance + 1e-9 * covariance.trace();
     return Eigen::LLT<MatrixXd>(covariance).matrixL();
@@ -40,7 +40,7 @@ MatrixXd covariance_about(const MatrixXd& points, const VectorXd& mean, const Ve
     return centred * share.asDiagonal() * centred.transpose();
 }
 
-// Starts far from each other.
+// Starting points that lie far from each other (k-means++).
 std::vector<VectorXd> spread_points(const MatrixXd& points, const VectorXd& shares, std::size_t count,
                                     std::uint64_t seed) {
     RandomStream random(seed, RandomPurpose::fit, 0);
@@ -65,14 +65,14 @@ std::vector<VectorXd> spread_points(const MatrixXd& points, const VectorXd& shar
     return chosen;
 }
 
-// Log of weight times normal density, but for a constant common to all.
+// Log of weight times normal density, without the constant that all components share.
 VectorXd log_shares(const MatrixXd& points, const NormalComponent& component) {
     const MatrixXd scaled = component.factor.triangularView<Eigen::Lower>().solve(points.colwise() - component.mean);
     const double offset = std::log(component.weight) - component.factor.diagonal().array().log().sum();
     return (offset - scaled.colwise().squaredNorm().array() / 2).matrix().transpose();
 }
 
-// Probability of each component (column) for each point (row).
+// Probability that each point (row) belongs to each component (column).
 MatrixXd responsibilities(const MatrixXd& points, const std::vector<NormalComponent>& components) {
     MatrixXd shares(points.cols(), static_cast<Index>(components.size()));
     for (std::size_t index = 0; index < components.size(); ++index) {
@@ -84,7 +84,7 @@ MatrixXd responsibilities(const MatrixXd& points, const std::vector<NormalCompon
     return shares.array().colwise() / sums.array();
 }
 
-// `shares` adds up to `count` independent points.
+// The entries of `shares` add up to `count`, the number of independent points.
 std::vector<NormalComponent> improved(const MatrixXd& points, const MatrixXd& shares, double count) {
     std::vector<NormalComponent> components;
     for (Index column = 0; column < shares.cols(); ++column) {
@@ -117,7 +117,8 @@ StudentMixture::StudentMixture(const MatrixXd& points, const VectorXd& weights, 
     }
     const auto d = static_cast<double>(dimension_);
     const double nu = degrees_of_freedom;
-    // The logarithm of the constant of Student's distribution whose covariance, not whose scale, is given.
+    // Logarithm of the normalising constant of the Student distribution, written for its covariance instead of its
+    // scale matrix.
     log_constant_ = std::lgamma((nu + d) / 2) - std::lgamma(nu / 2) - d / 2 * std::log((nu - 2) * std::numbers::pi);
     fit(points, weights, most_components, seed);
 }
@@ -130,7 +131,7 @@ void StudentMixture::fit(const MatrixXd& points, const VectorXd& weights, std::s
     const MatrixXd whole = covariance_about(points, middle, shares);
     std::vector<NormalComponent> components;
     for (const VectorXd& start : spread_points(points, shares, count, seed)) {
-        // Narrow enough that each start takes the points about it.
+        // The component is narrow, so that each start attracts the points around it.
         components.push_back({1.0, start, factor_of(whole / static_cast<double>(count * count))});
     }
     constexpr int iterations = 30;

@@ -1,5 +1,5 @@
-// A mixture of multivariate Student distributions in the shape of given points: for drawing near them, without ever
-// leaving out what lies far.
+// A mixture of multivariate Student distributions that has the shape of given points. Points drawn from it lie near the
+// given ones, but no distant region is left out.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,14 +11,14 @@
 
 namespace delabole {
 
-// One per column. At least one point; all of one dimension.
+// The points as columns of a matrix; at least one point, all of one dimension.
 Eigen::MatrixXd as_columns(const std::vector<std::vector<double>>& points);
 
 class StudentMixture {
   public:
-    // Tails that fall like a power, yet with a variance.
+    // The tails then fall as a power of the distance, and the variance is still finite.
     static constexpr double degrees_of_freedom = 5;
-    // Fewer make a component that fits the points and not what they were drawn from.
+    // A component of fewer points would fit their scatter instead of the distribution that they come from.
     static constexpr double least_members = 60;
 
     // Weights, means and covariances of at most `most_components` normal distributions by expectation-maximisation from
@@ -32,19 +32,20 @@ class StudentMixture {
 
     std::size_t size() const { return components_.size(); }
     std::size_t dimension() const { return dimension_; }
-    // Coordinates in (0, 1) that a draw takes.
+    // Number of coordinates in (0, 1) that a draw needs.
     std::size_t unit_dimension() const { return dimension_ + 2; }
 
     double log_density(std::span<const double> point) const;
-    // Continuous in the coordinates but for the choice of the component, so that evenly spread ones give even draws.
+    // A draw changes continuously with the coordinates, except where another component is chosen, so that evenly spread
+    // coordinates give evenly spread draws.
     void draw(std::span<const double> unit, std::span<double> point) const;
 
   private:
     struct Component {
         double weight;
         Eigen::VectorXd mean;
-        Eigen::MatrixXd factor;  // lower triangular, of the covariance
-        double log_scale;        // log of weight and of the density at the mean, but for Student's constant
+        Eigen::MatrixXd factor;  // of the covariance, lower triangular
+        double log_scale;        // log of weight and density at the mean, less the Student constant
     };
 
     void fit(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights, std::size_t count, std::uint64_t seed);

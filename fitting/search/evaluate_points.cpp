@@ -11,7 +11,7 @@ namespace delabole {
 
 namespace {
 
-// Makes the evaluations of all ranks known to each; pieces are theirs in turn.
+// Gives every rank the evaluations of all others. Pieces belong to the ranks in turn.
 void gather(const Ranks& ranks, std::size_t piece, std::vector<Evaluation>& evaluations) {
     const auto visit_pieces_of = [&](std::size_t rank, const auto& visit) {
         for (std::size_t first = rank * piece; first < evaluations.size();
@@ -48,7 +48,8 @@ std::vector<Evaluation> Evaluator::evaluate(std::size_t dimension, std::size_t c
     const bool alone = workers().alone();
     const auto rank_count = static_cast<std::size_t>(alone ? 1 : ranks->count());
     const auto own = static_cast<std::size_t>(alone ? 0 : ranks->number());
-    // Enough pieces that threads end together and progress moves, few enough that handing them out costs nothing.
+    // There are enough pieces for the threads to end together and for the progress to be smooth, but so few that
+    // handing them out costs nothing.
     const std::size_t piece =
         std::clamp<std::size_t>(count / (64 * rank_count * static_cast<std::size_t>(std::max(threads, 1))), 1, 1024);
     const std::size_t pieces = (count + piece - 1) / piece;
@@ -66,7 +67,7 @@ std::vector<Evaluation> Evaluator::evaluate(std::size_t dimension, std::size_t c
             evaluations[index] = quantity(parameters);
         }
         finished[number] = index - first;
-        // The others have come about as far.
+        // The other ranks are assumed to have done as many.
         progress.count(static_cast<long>((index - first) * rank_count));
     });
     if (!alone) {

@@ -12,8 +12,8 @@
 
 namespace delabole {
 
-// Sets the parameters of the point of that index. Safe to call from several threads. Among ranks each asks for its own
-// points only: what this notes down beside the parameters is not known to the others.
+// Sets the parameters of the point of that index. Safe to call from several threads. Each rank calls it for its own
+// points only, so anything else that it stores is unknown to the other ranks.
 using PointOf = std::function<void(std::size_t index, std::span<double> parameters)>;
 
 struct Evaluator {
@@ -26,8 +26,8 @@ struct Evaluator {
     Workers workers() const { return {threads, ranks}; }
     bool stopped() const { return stop_requested(stop); }
 
-    // Answers at points 0 ... count - 1, in their order; where the work was stopped, at those up to the first that is
-    // missing. Every rank calls this, from the thread that made Ranks.
+    // Evaluations of points 0 ... count - 1 in order; if the work was stopped, of those before the first point left
+    // out. Every rank has to call this, from the thread that made Ranks.
     std::vector<Evaluation> evaluate(std::size_t dimension, std::size_t count, const PointOf& point) const;
 };
 

@@ -42,7 +42,8 @@ Eigen::MatrixXd correlation_matrix(const Eigen::MatrixXd& points, const ProcessS
     return matrix;
 }
 
-// -2 ln of likelihood times prior, level and amplitude eliminated; infinite where the matrix is not positive.
+// -2 ln of likelihood times prior, with level and amplitude eliminated; infinite where the matrix is not positive
+// definite.
 double minus_two_log_likelihood(const Eigen::MatrixXd& points, const Eigen::VectorXd& values,
                                 const ProcessShape& shape) {
     const Eigen::LLT<Eigen::MatrixXd> factors(correlation_matrix(points, shape));
@@ -82,7 +83,8 @@ ProcessShape most_likely_shape(const Eigen::MatrixXd& points, const Eigen::Vecto
     settings.relative_tolerance = 1e-3;
     settings.initial_step = 0.1;
     MinimiseResult best;
-    // Nearly all signal, nearly all scatter: the likelihood often has a maximum of either kind.
+    // Two starts, one with nearly all signal and one with nearly all scatter: the likelihood often has a maximum of
+    // each kind.
     for (const double ratio : {0.03, 1.0}) {
         std::vector<double> start(dimensions, std::log(median_length));
         start.push_back(std::log(ratio));
@@ -136,7 +138,7 @@ double GaussianProcess::correlation(std::span<const double> left, std::span<cons
 }
 
 std::vector<ProcessPrediction> GaussianProcess::leave_one_out() const {
-    // The level is estimated without the point too: the projected inverse takes it out.
+    // The level is estimated without the point as well: the projected inverse eliminates it.
     const Eigen::MatrixXd projected = inverse_ - row_sums_ * row_sums_.transpose() / whole_sum_;
     const Eigen::VectorXd weighted = projected * values_;
     std::vector<ProcessPrediction> predictions;

@@ -37,7 +37,7 @@ nlopt_algorithm nlopt_name(Algorithm algorithm) {
     throw std::invalid_argument("minimise: unknown algorithm");
 }
 
-// Everything the callback needs; lives as long as one run.
+// All that the callback needs; it exists as long as one run.
 struct Run {
     const Objective& objective;
     std::span<const Interval> bounds;
@@ -47,7 +47,7 @@ struct Run {
     std::vector<double> parameters;   // of the evaluation under way
     nlopt_opt optimiser = nullptr;
     MinimiseResult result;
-    // Chi-square misfits of any use lie far below this; raised when a run shows otherwise.
+    // Chi-square misfits of practical interest lie far below this; it is raised when a run finds greater values.
     double penalty = 1e6;
     bool limit_reached = false;
     bool interrupted = false;
@@ -56,7 +56,7 @@ struct Run {
     void set_parameters(const double* unit) {
         for (std::size_t index = 0; index < active.size(); ++index) {
             const Interval& range = bounds[active[index]];
-            // lerp returns the bounds exactly at 0 and 1
+            // std::lerp returns the bounds exactly at 0 and 1.
             parameters[active[index]] = std::lerp(range.lower, range.upper, std::clamp(unit[index], 0.0, 1.0));
         }
     }
@@ -68,7 +68,7 @@ struct Run {
             ++result.evaluations.optimiser_rejections;
             return penalty;
         }
-        // at most 1e300, so that the algorithms' own arithmetic with it stays finite
+        // The penalty is at most 1e300, so that the algorithms' own arithmetic with it stays finite.
         penalty = std::max(penalty, std::min(2 * std::abs(evaluation.value), 1e300));
         if (evaluation.value < result.value) {
             result.value = evaluation.value;
@@ -84,7 +84,7 @@ struct Run {
     }
 };
 
-// Called from C: nothing may escape.
+// NLopt, a C library, calls this function: no exception may leave it.
 double callback(unsigned, const double* unit, double*, void* data) noexcept {
     Run& run = *static_cast<Run*>(data);
     if (run.must_stop()) {
@@ -185,7 +185,8 @@ nlopt_result optimise(Run& run) {
     }
     const Optimiser optimiser = make_optimiser(run);
     run.optimiser = optimiser.get();
-    // The generator's state is per thread (Debian's build), so seeding here makes every run repeatable on any thread.
+    // The generator's state belongs to a thread (in Debian's build), so seeding here makes every run repeatable on any
+    // thread.
     nlopt_srand(static_cast<unsigned long>(run.settings.seed));
     double value = 0;
     const nlopt_result outcome = nlopt_optimize(optimiser.get(), unit.data(), &value);

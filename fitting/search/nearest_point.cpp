@@ -26,7 +26,7 @@ struct Search {
     const NearestPointSettings& settings;
     StopFlag stop;
     double scale = 1;  // slope of g at the start, so that g / scale is a distance
-    double wall = 1;   // what a failed evaluation counts as, in distances
+    double wall = 1;   // distance that a failed evaluation stands for
     nlopt_opt optimiser = nullptr;
     EvaluationCount evaluations = {};
     std::exception_ptr thrown = nullptr;
@@ -37,7 +37,7 @@ struct Search {
         return evaluation.valid() ? std::optional(evaluation.value / scale) : std::nullopt;
     }
 
-    // Central differences; one-sided beside a failure, nothing between two of them.
+    // Central differences; one-sided where the model fails on one side. False where it fails on both.
     bool gradient(std::span<const double> u, double at_u, std::vector<double>& slope) {
         std::vector<double> moved(u.begin(), u.end());
         slope.assign(u.size(), 0.0);
@@ -72,7 +72,7 @@ double half_square(unsigned count, const double* u, double* gradient, void*) noe
     return sum;
 }
 
-// Called from C: nothing may escape.
+// NLopt, a C library, calls this function: no exception may leave it.
 double constraint(unsigned count, const double* u, double* gradient, void* data) noexcept {
     Search& run = *static_cast<Search*>(data);
     if (gradient != nullptr) {
@@ -114,7 +114,7 @@ std::vector<double> search(Search& run, nlopt_algorithm algorithm, std::vector<d
     nlopt_set_xtol_abs1(optimiser.get(), tolerance);
     nlopt_set_initial_step1(optimiser.get(), 0.5);
     double least = 0;
-    // The status tells nothing that the check of the point does not: SLSQP ends by rounding at exact answers.
+    // The status is not used, since the point itself is checked: SLSQP reports a roundoff limit even at exact answers.
     nlopt_optimize(optimiser.get(), u.data(), &least);
     if (run.thrown) {
         std::rethrow_exception(run.thrown);
@@ -137,10 +137,11 @@ NearestPoint judged(Search& run, std::vector<double> u) {
         found.direction.push_back(-slope[index] / steepness);
         along += found.direction[index] * u[index];
     }
-    // On a surface through the origin there is no radius to be aligned with.
+    // For a surface through the origin the radius has no direction; the distance of at least 0.1 keeps the quotient
+    // meaningful.
     const double across = std::sqrt(std::max(found.distance * found.distance - along * along, 0.0));
     found.misalignment = across / std::max(found.distance, 0.1);
-    constexpr double aligned = 0.03;  // the distance then errs by less than its square, 0.1 %
+    constexpr double aligned = 0.03;  // the error of the distance is then less than the square of this, 0.1 %
     found.converged = found.off_surface <= run.settings.tolerance && found.misalignment <= aligned;
     found.point = std::move(u);
     return found;

@@ -1,9 +1,10 @@
-// The point nearest to the origin at which a function is zero, by NLopt: the design point of first-order reliability.
+// The point nearest to the origin at which a function is zero, found by NLopt: the design point of first-order
+// reliability.
 //
-// Sequential quadratic programming (SLSQP) on  min |u|^2 / 2  with  g(u) = 0,  gradients by central differences; where
-// that does not end at a point that passes the check below, as it may where g has a kink, once more by COBYLA from the
-// best point found. Sources: D. Kraft, DFVLR-FB 88-28 (1988); M. J. D. Powell, Acta Numerica 7 (1998) 287-336; S. G.
-// Johnson, The NLopt nonlinear-optimization package, version 2.7.1.
+// Sequential quadratic programming (SLSQP) on  min |u|^2 / 2  with  g(u) = 0,  gradients by central differences. If the
+// end point does not pass the check below, which can happen where g has a kink, COBYLA continues from the best point
+// found. Sources: D. Kraft, DFVLR-FB 88-28 (1988); M. J. D. Powell, Acta Numerica 7 (1998) 287-336; S. G. Johnson, The
+// NLopt nonlinear-optimization package, version 2.7.1.
 #pragma once
 
 #include "fitting/search/minimise.hpp"
@@ -17,23 +18,23 @@
 namespace delabole {
 
 struct NearestPointSettings {
-    double step = 1e-3;        // of the differences; larger than the noise of g over its slope
+    double step = 1e-3;        // of the differences; larger than the noise of g divided by its slope
     double tolerance = 1e-4;   // of the distance
-    double search_radius = 8;  // no coordinate leaves it
+    double search_radius = 8;  // bound of the absolute value of each coordinate
     long evaluations = 2000;   // cap
 };
 
 struct NearestPoint {
-    bool converged = false;         // off the surface by less than the tolerance, and normal to it within 0.03
-    std::vector<double> point;      // empty where no evaluation at a point of the surface succeeded
-    std::vector<double> direction;  // unit vector along which g falls, at the point
+    bool converged = false;         // within the tolerance of the surface, and normal to it within 0.03
+    std::vector<double> point;      // empty where no point of the surface could be evaluated
+    std::vector<double> direction;  // unit vector along which g decreases at the point
     double distance = 0;
-    double off_surface = 0;   // |g| over its slope
+    double off_surface = 0;   // |g| divided by its slope
     double misalignment = 0;  // sine of the angle between the point's radius and the direction
     EvaluationCount evaluations;
 };
 
-// Needed by share_tasks.
+// Used by share_tasks.
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, NearestPoint>
 auto members_of(Type& found) {
@@ -41,7 +42,8 @@ auto members_of(Type& found) {
                     found.misalignment, found.evaluations);
 }
 
-// g(u) is a margin: positive on the side of the origin or not, in any unit. A failed evaluation counts as a wall.
+// g(u) is a margin in any unit; its sign at the origin does not matter. A failed evaluation counts as a great value of
+// g.
 NearestPoint nearest_point(const Objective& g, std::span<const double> start, const NearestPointSettings& settings,
                            StopFlag stop = nullptr);
 

@@ -1,4 +1,4 @@
-// Independent tasks on the threads of every rank.
+// Independent tasks, shared among the threads of all ranks.
 #pragma once
 
 #include "fitting/search/minimise.hpp"
@@ -17,7 +17,7 @@
 
 namespace delabole {
 
-// Ranks exchange what an archive takes: structs need members_of().
+// Ranks exchange their results as archives, for which each struct needs members_of().
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, EvaluationCount>
 auto members_of(Type& count) {
@@ -30,7 +30,7 @@ auto members_of(Type& result) {
     return std::tie(result.status, result.point, result.value, result.evaluations);
 }
 
-// Throws std::runtime_error where what another rank sent is not what this one expects.
+// Throws std::runtime_error where the data from another rank do not match what this rank expects.
 inline void demand_whole(const ArchiveReader& reader) {
     if (!reader.whole()) {
         throw std::runtime_error("the ranks do not agree on what they work at: do all run the same program?");
@@ -43,7 +43,7 @@ auto members_of(Type& interval) {
     return std::tie(interval.lower, interval.upper, interval.lower_open, interval.upper_open);
 }
 
-// The threads of this rank and the ranks beside it; no result depends on either number.
+// The threads of this rank and the other ranks; no result depends on the number of either.
 struct Workers {
     int threads = 1;
     const Ranks* ranks = nullptr;  // null: this process alone
@@ -51,9 +51,9 @@ struct Workers {
     bool alone() const { return ranks == nullptr || ranks->alone(); }
 };
 
-// task(0) ... task(count - 1), each done once by one of the workers, in their order on every rank. Task `number` is
-// done by rank `number` modulo their number: neighbours often cost alike. Every rank calls this, outside of other
-// tasks.
+// Runs task(0) ... task(count - 1), each once, and returns the results in this order on every rank. Rank number %
+// (number of ranks) runs task `number`, because neighbouring tasks often cost about the same. Every rank has to call
+// this, and not from within another task.
 template <class Result>
 std::vector<Result> share_tasks(std::size_t count, const Workers& workers,
                                 const std::function<Result(std::size_t)>& task) {

@@ -58,7 +58,7 @@ std::size_t index_of(const SensitivityStudy& study, const std::string& name) {
         study.parameters.begin());
 }
 
-// Every number of a described struct has to be finite and in its range.
+// Every number of a described struct has to be finite and within its range.
 template <Described Settings>
 void check_ranges(const std::string& section, const Settings& settings, Faults& faults) {
     for_each_named_number(settings, [&](const std::string& path, const FieldInfo& info, auto value) {
@@ -91,7 +91,7 @@ void check_pairs(const SensitivityStudy& study, Faults& faults) {
     }
 }
 
-// Needs parameters and pairs that are in order.
+// Call this only if the parameters and pairs have no fault themselves.
 void check_dependence(const SensitivityStudy& study, Faults& faults) {
     const InputSpace space = input_space(study);
     switch (space.check()) {
@@ -143,7 +143,7 @@ void check_sobol_indices(const SobolIndicesSettings& settings, const Sensitivity
     if (settings.samples > 0 && !std::has_single_bit(static_cast<unsigned>(settings.samples))) {
         faults.push_back({"sobol_indices.samples", "must be a power of 2"});
     }
-    constexpr double most_evaluations = 2e7;  // kept in memory
+    constexpr double most_evaluations = 2e7;  // all are kept in memory
     if (settings.samples * (static_cast<double>(study.parameters.size()) + 2) > most_evaluations) {
         faults.push_back({"sobol_indices.samples", "must be at most 2e7 / (number of parameters + 2)"});
     }
@@ -160,7 +160,7 @@ void check_sobol_indices(const SobolIndicesSettings& settings, const Sensitivity
 }
 
 void check_propagation(const PropagationSettings& settings, std::size_t parameters, Faults& faults) {
-    // Latin hypercubes keep their permutations.
+    // Latin hypercubes keep their permutations in memory.
     constexpr double most_strata = 2e8;
     if (settings.method == SamplingMethod::latin_hypercube &&
         static_cast<double>(settings.samples) * static_cast<double>(parameters) > most_strata) {

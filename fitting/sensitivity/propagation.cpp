@@ -14,7 +14,7 @@ constexpr std::size_t cumulative_points = 400;
 
 struct Sums {
     long values = 0;
-    double sum = 0;  // of value less an offset
+    double sum = 0;  // of the values less an offset
     double squares = 0;
     long decided = 0;
     long failed = 0;
@@ -117,8 +117,8 @@ class Samples {
     double offset() const { return offset_; }
     bool independent() const { return independent_; }
 
-    // Estimates from the first `count` of the samples that belong together: of all for independent ones, of each
-    // replicate for a sequence, whole replicates for Latin hypercubes.
+    // Estimates from the first `count` samples that belong together: of all samples if these are independent, of each
+    // replicate for a sequence; whole replicates are counted for Latin hypercubes.
     std::pair<Sums, std::vector<Sums>> sums(std::size_t count) const {
         Sums all;
         std::vector<Sums> replicates;
@@ -140,7 +140,7 @@ class Samples {
         return {all, replicates};
     }
 
-    // Arguments of sums() at which convergence is shown.
+    // Arguments of sums() at which the convergence is shown.
     std::vector<std::size_t> steps() const {
         std::vector<std::size_t> counts;
         if (layered_) {
@@ -171,7 +171,7 @@ class Samples {
 
     const SamplePlan& plan_;
     bool independent_;
-    bool layered_;  // each replicate is worth something only as a whole
+    bool layered_;  // the samples of a replicate are useful only all together
     std::vector<Evaluation> evaluations_;
     const std::optional<FailureCriterion>& criterion_;
     std::vector<double> sorted_;
@@ -192,7 +192,7 @@ std::vector<std::pair<double, double>> cumulative_curve(const std::vector<double
 }
 
 // Bins as wide as Freedman & Diaconis (Z. Wahrscheinlichkeitstheorie 57 (1981) 453-476) advise, at most 60 of them. The
-// outermost ones hold whatever lies beyond the middle 99.9 %.
+// outermost bins also hold the samples beyond the middle 99.9 %.
 std::vector<HistogramBin> histogram_of(const std::vector<double>& sorted,
                                        const std::optional<FailureCriterion>& criterion) {
     constexpr double most_bins = 60;
@@ -212,7 +212,7 @@ std::vector<HistogramBin> histogram_of(const std::vector<double>& sorted,
     auto counted = sorted.begin();
     const auto edge = [&](std::size_t number) {
         const double value = lower + static_cast<double>(number) * width;
-        // The limit itself, not its rounding: a sample at the limit belongs above it.
+        // The limit replaces its rounded value, because a sample exactly at the limit belongs above it.
         return criterion && std::abs(value - criterion->limit) < 1e-6 * width ? criterion->limit : value;
     };
     for (std::size_t bin = 0; bin < bins; ++bin) {
@@ -251,7 +251,7 @@ std::optional<bool> FailureCriterion::failed(const Interval& values) const {
     const bool below = side == FailureSide::below;
     const bool all_below = values.upper < limit || (values.upper == limit && values.upper_open);
     const bool all_above = values.lower > limit || (values.lower == limit && values.lower_open);
-    // The limit itself stands.
+    // A slope exactly at the limit stands.
     const bool none_below = values.lower >= limit;
     const bool none_above = values.upper <= limit;
     if (below ? all_below : all_above) {

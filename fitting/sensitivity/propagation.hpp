@@ -1,5 +1,5 @@
-// What the uncertainty of the parameters makes of a quantity: its distribution, the probability of failure, and how far
-// both have converged.
+// The distribution of a quantity and the probability of failure that follow from uncertain parameters, and how far both
+// have converged.
 #pragma once
 
 #include "fitting/probability/dependence.hpp"
@@ -19,12 +19,12 @@ namespace delabole {
 
 enum class FailureSide { below, above };
 
-// When a sample has failed: factor of safety below 1, displacement above a limit.
+// When a sample counts as failed, for example a factor of safety below 1 or a displacement above a limit.
 struct FailureCriterion {
     double limit;
     FailureSide side = FailureSide::below;
-    // They decide without a value of the quantity, as "fails_at_any_strength" and "holds_at_any_strength"; all other
-    // words mean a sample without an answer.
+    // Words with which a model gives no value but still decides, such as "fails_at_any_strength" and
+    // "holds_at_any_strength". After any other word the sample has no answer.
     std::vector<std::string> failing_words = {};
     std::vector<std::string> standing_words = {};
 
@@ -41,19 +41,19 @@ struct FailureCriterion {
 
     bool failed(double value) const { return side == FailureSide::below ? value < limit : value > limit; }
     bool failed(const Evaluation& evaluation) const;
-    // Whether all values in it have failed (true) or stand (false); nothing where it holds values of both kinds.
+    // True if all values in the interval mean failure, false if none does; no value if the interval holds both kinds.
     std::optional<bool> failed(const Interval& values) const;
-    // Failed or standing, known from a value or a word.
+    // Whether a value or a word tells that the sample has failed or stands.
     bool decided(const Evaluation& evaluation) const;
 };
 
-// Samples that a result keeps in memory with ease.
+// Greatest number of samples, limited by the memory of a result.
 inline constexpr long most_samples = 10'000'000;
 
 struct PropagationSettings {
     SamplingMethod method = SamplingMethod::latin_hypercube;
     long samples = 16'384;
-    int replicates = 16;  // Monte Carlo needs none
+    int replicates = 16;  // not used by Monte Carlo
     static constexpr auto fields() {
         using S = PropagationSettings;
         return std::tuple{
@@ -67,7 +67,7 @@ struct PropagationSettings {
     }
 };
 
-// Points of each replicate, and how many there are.
+// Number of points of each replicate, and number of replicates.
 struct PlanSize {
     std::size_t points;
     std::size_t replicates;
@@ -78,18 +78,19 @@ PlanSize plan_size(const PropagationSettings& settings);
 SamplePlan plan_of(const PropagationSettings& settings, std::size_t dimension, std::uint64_t seed);
 
 enum class ErrorMethod {
-    replicates,  // spread between independent samples, Student's t
-    wilson,      // counts of independent samples; of all samples taken for independent where replicates all agree
+    replicates,  // spread between independent samples, by Student's t
+    wilson,      // counts of independent samples; if all replicates agree, all samples are taken for independent
 };
 
 struct FailureProbability {
-    // Share of the decided samples; unset where they are fewer than half, and so no sample of the whole.
+    // Share of the decided samples that failed; unset if fewer than half are decided, since these may not represent the
+    // whole.
     std::optional<Estimate> probability;
     ErrorMethod method = ErrorMethod::wilson;
     long failed = 0;
     long decided = 0;
     long samples = 0;
-    // If all samples that are not decided stood, and if all had failed.
+    // The probability if all undecided samples stood, and if all of them failed.
     double least = 0;
     double greatest = 1;
 };
@@ -100,7 +101,7 @@ struct HistogramBin {
     long samples;
 };
 
-// Estimates after the first samples of every replicate (or the first replicates of Latin hypercubes).
+// Estimates from the first samples of every replicate (from the first replicates of Latin hypercubes).
 struct ConvergenceStep {
     long samples;
     Estimate mean;
@@ -110,7 +111,7 @@ struct ConvergenceStep {
 enum class PropagationStatus {
     finished,
     no_answer,    // no sample has a value or is decided
-    interrupted,  // what was finished is shown
+    interrupted,  // the result holds what was finished
 };
 
 inline constexpr std::array<double, 9> shown_shares{0.01, 0.025, 0.05, 0.25, 0.5, 0.75, 0.95, 0.975, 0.99};
@@ -118,7 +119,7 @@ inline constexpr std::array<double, 9> shown_shares{0.01, 0.025, 0.05, 0.25, 0.5
 struct PropagationResult {
     PropagationStatus status = PropagationStatus::no_answer;
     long samples = 0;  // evaluated
-    // Describe the samples with a value; meaningful where there is one.
+    // The following members describe the samples with a value and are meaningful if there is one.
     long with_value = 0;
     Estimate mean;
     double standard_deviation = 0;
@@ -126,13 +127,14 @@ struct PropagationResult {
     double greatest = 0;
     std::vector<std::pair<double, double>> quantiles;   // share of shown_shares, value
     std::vector<std::pair<double, double>> cumulative;  // value, share of samples not above it; both ascending
-    std::vector<HistogramBin> histogram;                // the limit of failure, where inside, is an edge
-    std::optional<FailureProbability> failure;          // where there is a criterion
+    std::vector<HistogramBin> histogram;                // the limit of failure is an edge if it lies inside
+    std::optional<FailureProbability> failure;          // if there is a criterion
     std::vector<ConvergenceStep> convergence;
     EvaluationCount evaluations;
 };
 
-// Work that was stopped is judged by what was finished: the first samples of Monte Carlo, whole replicates otherwise.
+// After an early stop the result describes what was finished: the first samples of Monte Carlo, otherwise whole
+// replicates.
 PropagationResult propagate(const Evaluator& evaluator, const InputSpace& space, const PropagationSettings& settings,
                             const std::optional<FailureCriterion>& criterion, std::uint64_t seed);
 

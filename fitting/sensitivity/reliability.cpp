@@ -56,7 +56,7 @@ bool same_place(const DesignPoint& one, const DesignPoint& other) {
     return squares < near * near;
 }
 
-// Converged points before others, near ones before far ones.
+// Enters a design point. Two points at the same place become one, which is a converged one if possible.
 void enter(std::vector<DesignPoint>& points, DesignPoint point) {
     const auto same =
         std::find_if(points.begin(), points.end(), [&](const DesignPoint& other) { return same_place(point, other); });
@@ -108,7 +108,7 @@ ReliabilityResult reliability(const Evaluator& evaluator, const InputSpace& spac
         result.converged_starts += nearest.converged ? 1 : 0;
     }
     for (const NearestPoint& nearest : found) {
-        // Where a search gave up, well off the surface or not, is worth showing only where no other did better.
+        // An unconverged end point near the surface is shown only if no start converged.
         const bool near_surface = !nearest.point.empty() && nearest.off_surface <= 10 * settings.tolerance;
         if (nearest.converged || (result.converged_starts == 0 && near_surface)) {
             enter(result.points, design_point(nearest, space, result.medians_fail));

@@ -1,12 +1,13 @@
-// First-order reliability: how many standard deviations the parameters have to go until the slope fails, which way, and
-// the probability of failure if the limit surface were flat there.
+// First-order reliability: how many standard deviations, and in which direction, the parameters have to change until
+// the slope fails, and the probability of failure for a limit surface that is flat there.
 //
 // In the space of independent standard normal numbers u the design point u* is the point of the limit surface nearest
-// to the medians; beta = |u*|, negative where the medians have failed already; p_f ~ Phi(-beta). alpha = u* / beta
-// tells how far each axis of u goes. Where parameters are correlated an axis is no parameter; the importance
+// to the medians; beta = |u*|, negative if the slope fails at the medians; p_f ~ Phi(-beta). alpha = u* / beta holds
+// the direction cosines of u*. Where parameters are correlated an axis does not belong to a single parameter; the
+// importance
 //     gamma = L^-T alpha / |L^-T alpha|
-// then stands for the parameters (equal to alpha without correlation): negative for a parameter that has to fall. With
-// bent surfaces p_f is an approximation, and nothing here tells how good: sampling does.
+// then refers to the parameters (equal to alpha without correlation): negative for a parameter whose decrease leads to
+// failure. For curved limit surfaces p_f is an approximation whose error is not estimated here; sampling gives it.
 // Sources: A. M. Hasofer & N. C. Lind, J. Engineering Mechanics Division ASCE 100 (1974) 111-121; P.-L. Liu & A. Der
 // Kiureghian, Structural Safety 9 (1991) 161-177; importance: A. Der Kiureghian, First- and second-order reliability
 // methods, in Engineering design reliability handbook (2005), section 14.5.
@@ -42,9 +43,9 @@ struct ReliabilitySettings {
 
 enum class ReliabilityStatus {
     converged,             // the nearest point found passes the check of nearest_point.hpp
-    not_converged,         // a point of the surface was found that does not; it is given
-    limit_not_reached,     // no start met the surface within 8 standard deviations
-    no_answer_at_medians,  // the quantity has no value there
+    not_converged,         // a point of the surface was found that does not pass the check; it is given
+    limit_not_reached,     // no start reached the surface within 8 standard deviations
+    no_answer_at_medians,  // the model gives no value of the quantity there
     interrupted,
 };
 
@@ -56,16 +57,16 @@ struct DesignPoint {
     std::vector<double> importance;
     double off_surface = 0;   // standard deviations
     double misalignment = 0;  // sine of an angle
-    int hits = 0;             // starts that ended here
+    int hits = 0;             // number of starts that led to this point
     bool converged = false;
 };
 
 struct ReliabilityResult {
     ReliabilityStatus status = ReliabilityStatus::limit_not_reached;
     bool medians_fail = false;
-    double reliability_index = 0;  // of the nearest design point; meaningful where there is one
+    double reliability_index = 0;  // of the nearest design point; meaningful if there is one
     double probability_of_failure = 0;
-    std::vector<DesignPoint> points;  // distinct ones, nearest first; further ones add to the probability
+    std::vector<DesignPoint> points;  // distinct ones, nearest first; further ones increase the probability of failure
     int starts = 0;
     int converged_starts = 0;
     EvaluationCount evaluations;

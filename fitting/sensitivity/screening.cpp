@@ -22,7 +22,8 @@ double deviation_of(std::span<const double> values, double mean) {
     return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-// One walk through the grid: which level every parameter starts at, and in which order and direction they move.
+// A trajectory through the grid: the level at which every parameter starts, and the order and direction in which they
+// move.
 struct Trajectory {
     std::vector<int> start;
     std::vector<int> step;           // of each parameter, in levels
@@ -36,7 +37,7 @@ Trajectory make_trajectory(const CountedRandom& random, std::size_t number, std:
         const int level = static_cast<int>(
             random.below(static_cast<std::size_t>(levels), number, static_cast<std::uint32_t>(parameter)));
         trajectory.start.push_back(level);
-        // From every level exactly one direction stays on the grid.
+        // From each level exactly one of the two directions stays on the grid.
         trajectory.step.push_back(level < step ? step : -step);
         trajectory.order.push_back(parameter);
     }
@@ -92,7 +93,7 @@ std::optional<double> TornadoBar::swing(const Evaluation& at_medians) const {
 std::optional<TornadoResult> tornado(const Evaluator& evaluator, const InputSpace& space,
                                      const TornadoSettings& settings) {
     const std::size_t dimension = space.size();
-    // Point 0 has the medians; then two of each parameter.
+    // Point 0 has all medians; two points for each parameter follow.
     const auto point = [&](std::size_t index, std::span<double> parameters) {
         for (std::size_t parameter = 0; parameter < dimension; ++parameter) {
             parameters[parameter] = space.marginal(parameter).value(0);

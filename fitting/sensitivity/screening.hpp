@@ -1,8 +1,8 @@
-// Which parameters matter, from few evaluations: one parameter at a time from the medians, and Morris's elementary
-// effects from many places.
+// Which parameters matter, from few evaluations: a tornado diagram, which moves one parameter at a time from the
+// medians, and Morris's elementary effects at many points.
 //
-// Both move one parameter between stated quantiles of its own distribution, the others unchanged: correlations play no
-// part in them.
+// Both move one parameter between given quantiles of its own distribution while the others are unchanged, so
+// correlations play no part.
 #pragma once
 
 #include "fitting/probability/dependence.hpp"
@@ -37,9 +37,9 @@ struct TornadoEnd {
 
 struct TornadoBar {
     TornadoEnd low;   // the parameter at its lower quantile, all others at their medians
-    TornadoEnd high;  // and at its upper quantile
+    TornadoEnd high;  // the parameter at its upper quantile, all others at their medians
 
-    // Greatest change of the quantity between the two ends and the medians; nothing where one has no answer.
+    // Greatest difference of the quantity between the two ends and the medians; nothing if one of them has no answer.
     std::optional<double> swing(const Evaluation& at_medians) const;
 };
 
@@ -49,13 +49,14 @@ struct TornadoResult {
     EvaluationCount evaluations;
 };
 
-// Returns nothing where the work was stopped.
+// Returns nothing if the work was stopped.
 std::optional<TornadoResult> tornado(const Evaluator& evaluator, const InputSpace& space,
                                      const TornadoSettings& settings);
 
 // A trajectory starts at a random point of a grid of `levels` equally spaced probabilities between the two quantiles
 // and moves every parameter once, in random order, by levels / 2 steps. An elementary effect is the change of the
-// quantity over the share of the range that was moved: how much the whole range between the quantiles would do.
+// quantity divided by the share of the range that was moved, and so estimates the effect of the whole range between the
+// quantiles.
 // Source: M. D. Morris, Technometrics 33 (1991) 161-174; mean of the absolute effects: F. Campolongo, J. Cariboni &
 // A. Saltelli, Environmental Modelling & Software 22 (2007) 1509-1518.
 struct MorrisSettings {
@@ -79,10 +80,10 @@ struct MorrisSettings {
 };
 
 struct MorrisEffect {
-    long effects = 0;  // found; the others had an evaluation without an answer. The rest needs at least two
+    long effects = 0;  // found; the others had an evaluation without an answer. The estimates below need at least two
     double mean = 0;
     Estimate mean_absolute;       // mu*: how much the parameter matters
-    Estimate standard_deviation;  // sigma: how far that depends on where, by bends or by other parameters
+    Estimate standard_deviation;  // sigma: how far that depends on the place, by curvature or other parameters
 };
 
 struct MorrisResult {
@@ -90,7 +91,7 @@ struct MorrisResult {
     EvaluationCount evaluations;
 };
 
-// Intervals: bootstrap over the effects. Nothing where the work was stopped.
+// The intervals come from a bootstrap over the effects. Returns nothing if the work was stopped.
 std::optional<MorrisResult> morris(const Evaluator& evaluator, const InputSpace& space, const MorrisSettings& settings,
                                    std::uint64_t seed);
 

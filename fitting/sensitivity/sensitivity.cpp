@@ -16,7 +16,7 @@ std::size_t demanded_place(const std::vector<Quantity>& quantities, const std::s
     return *place;
 }
 
-// Evaluations of each method, for progress only.
+// Number of evaluations of each method, used only for the progress report.
 struct Expected {
     long tornado = 0;
     long sweep = 0;  // of each quantity
@@ -52,7 +52,7 @@ struct Expected {
     long total() const { return tornado + sweeps + morris + sobol_indices + propagation + reliability; }
 };
 
-// Whether a parameter was looked at alone, and whether that changed anything.
+// Whether some method varied a parameter alone, and whether that changed the quantity.
 struct Effect {
     bool looked = false;
     bool any = false;
@@ -106,7 +106,7 @@ bool found_nothing(const SensitivityResult& result) {
 
 Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study, const std::string& name) {
     std::vector<Assignment> assigned;
-    std::vector<std::size_t> parameter_of;  // each of them
+    std::vector<std::size_t> parameter_of;  // parameter to which each of them belongs
     for (std::size_t index = 0; index < study.parameters.size(); ++index) {
         std::vector<std::string> names{study.parameters[index].name};
         names.insert(names.end(), study.parameters[index].also.begin(), study.parameters[index].also.end());
@@ -168,7 +168,7 @@ SensitivityResult sensitivity(const SensitivityProblem& problem, FitProgressCall
         meter.begin_stage(study.quantity, "Morris screening", expected.morris);
         result.morris = morris(evaluator, space, *study.morris, study.seed);
     }
-    // This comes before the samples, which are many: when they are interrupted, it is known.
+    // The design point is found before the many samples are evaluated, so that it is known if these are interrupted.
     if (study.reliability && !evaluator.stopped()) {
         meter.begin_stage(study.quantity, "design point", expected.reliability);
         result.reliability = reliability(evaluator, space, *study.reliability, *criterion, study.seed);

@@ -1,5 +1,5 @@
-// A sensitivity study: which parameters are uncertain and how, which quantity is studied, when it means failure, and
-// what is to be computed.
+// A sensitivity study: which parameters are uncertain and by how much, which quantity is studied, when it means
+// failure, and which analyses are made.
 #pragma once
 
 #include "fitting/probability/dependence.hpp"
@@ -25,7 +25,7 @@ struct UncertainParameter {
     std::string name;
     Distribution distribution;
     std::string source;
-    std::vector<std::string> also = {};  // as two points of a water table
+    std::vector<std::string> also = {};  // further inputs with the same value, such as two points of a water table
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
         using P = UncertainParameter;
@@ -52,7 +52,7 @@ struct ParameterCorrelation {
     }
 };
 
-// Analyses that are absent are not done.
+// Analyses whose settings are absent are not made.
 struct SensitivityStudy {
     std::string quantity;
     std::vector<UncertainParameter> parameters;
@@ -89,24 +89,25 @@ struct SensitivityProblem {
     ModelInterface model;
     SensitivityStudy study;
     int threads = 1;               // >= 1; no result depends on it
-    const Ranks* ranks = nullptr;  // nor on these; null: this process alone
+    const Ranks* ranks = nullptr;  // no result depends on them; null: this process alone
 };
 
-// Where a study is wrong: "parameter[2].standard_deviation", "correlation[1]", "sobol_indices", "" for all of it.
+// A fault of a study and its place: "parameter[2].standard_deviation", "correlation[1]", "sobol_indices", or "" for the
+// study as a whole.
 struct StudyFault {
     std::string key;
     std::string message;
 };
 
-// The joint distribution of the parameters. The distributions have to be in order, and the pairs to exist.
+// The joint distribution of the parameters. The distributions must have no fault, and the pairs must name parameters.
 InputSpace input_space(const SensitivityStudy& study);
 
-// The study's, with the words that decide by the bounds they tell of the quantity; what the study says of a word goes
-// first.
+// The study's criterion, to which those words of the model are added whose bounds on the quantity decide whether the
+// slope fails. Words that the study itself lists keep their meaning.
 std::optional<FailureCriterion> criterion_of(const SensitivityProblem& problem);
 
-// Names that the model does not have, distributions that cannot be drawn, correlations that are impossible, settings
-// out of their range, methods that do not go with the rest. Empty when sensitivity() can start.
+// Finds names that the model does not have, distributions that cannot be drawn, correlations that are impossible,
+// settings out of their range, and methods that do not suit the rest of the study. Empty when sensitivity() can start.
 std::vector<StudyFault> check_study(const SensitivityProblem& problem);
 
 }  // namespace delabole

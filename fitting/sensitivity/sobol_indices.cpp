@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t least_rows = 16;
 constexpr std::size_t most_groups = 1024;
 
-// Sums over rows, values less their mean.
+// Sums over rows; the values are taken less their mean.
 struct RowSums {
     double rows = 0;
     double values = 0;               // f(A) + f(B)
@@ -36,7 +36,7 @@ struct RowSums {
     double mean() const { return values / (2 * rows); }
     double variance() const { return squares / (2 * rows) - mean() * mean(); }
 
-    // First-order indices, then total ones.
+    // First-order indices, followed by total indices.
     std::vector<double> indices() const {
         std::vector<double> all;
         const double scale = rows * variance();

@@ -1,11 +1,11 @@
-// Shares of the variance of a quantity that its parameters are to blame for.
+// Shares of the variance of a quantity that are due to its parameters (Sobol indices).
 //
-// First-order index: the share that would go if the parameter became known. Total index: the share that would stay if
-// everything else became known; what exceeds the first-order index is interaction. They are shares of a sum only where
-// the parameters are independent.
+// First-order index: the share of the variance that would vanish if the parameter became known. Total index: the share
+// that would remain if everything else became known; its excess over the first-order index is interaction. They are
+// shares of a sum only if the parameters are independent.
 //
-// Matrices A and B of N rows from one Sobol sequence of twice the dimension, AB_i = A with column i of B; with values
-// f less their mean and V their variance:
+// Matrices A and B have N rows from one Sobol sequence of twice the dimension; AB_i is A with column i of B. With
+// values f less their mean and V their variance:
 //     S_i = mean(f(B) (f(AB_i) - f(A))) / V    A. Saltelli et al., Computer Physics Communications 181 (2010) 259-270,
 //                                              table 2 (b)
 //     T_i = mean((f(A) - f(AB_i))^2) / (2 V)   M. J. W. Jansen, Computer Physics Communications 117 (1999) 35-43
@@ -22,7 +22,7 @@
 
 namespace delabole {
 
-// 2 dimensions of the sequence for each parameter, of the 40 that GSL tabulates.
+// Each parameter needs 2 of the 40 dimensions that GSL tabulates for the Sobol sequence.
 inline constexpr std::size_t most_index_parameters = 20;
 
 struct SobolIndicesSettings {
@@ -41,7 +41,7 @@ struct SobolIndicesSettings {
 
 enum class SobolIndicesStatus {
     found,
-    no_variance,         // the quantity is the same at every sample: nothing to share out
+    no_variance,         // the quantity is the same at every sample: there is no variance to be shared
     not_enough_samples,  // fewer than 16 rows whose evaluations all have an answer
 };
 
@@ -55,16 +55,17 @@ struct SobolIndicesResult {
     std::vector<SobolIndex> parameters;  // empty unless found
     double mean = 0;
     double variance = 0;
-    long rows = 0;          // N
-    long rows_without = 0;  // left out, because an evaluation of the row had no answer: the indices are then those of
-                            // what remains, whose parameters are no longer quite independent
+    long rows = 0;  // N
+    // left out, because an evaluation of the row had no answer: the indices are then those of the other rows, whose
+    // parameters are no longer quite independent
+    long rows_without = 0;
     EvaluationCount evaluations;
 };
 
-// Intervals: bootstrap over rows, over 1024 groups of neighbouring rows where there are more; that takes the points for
-// independent, which makes the intervals of a sequence too wide rather than too narrow. Nothing where the work was
-// stopped. Throws std::invalid_argument for parameters that depend on each other, more than 20 of them, or N that is no
-// power of 2.
+// The intervals come from a bootstrap over rows, or over 1024 groups of neighbouring rows if there are more. The
+// bootstrap takes the points for independent, which makes the intervals of a sequence too wide rather than too narrow.
+// Returns nothing if the work was stopped. Throws std::invalid_argument for parameters that depend on each other, for
+// more than 20 of them, and for N that is not a power of 2.
 std::optional<SobolIndicesResult> sobol_indices(const Evaluator& evaluator, const InputSpace& space,
                                                 const SobolIndicesSettings& settings, std::uint64_t seed);
 

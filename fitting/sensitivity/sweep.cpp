@@ -12,7 +12,7 @@ namespace {
 constexpr double least_share = 0.01;
 constexpr double rounding = 1e-9;
 
-// 95 % quantile of the range of so many independent standard normal numbers, 3 to 19.
+// 95 % quantile of the range of this many independent standard normal numbers, for 3 to 19 of them.
 double range_quantile(std::size_t count) {
     constexpr std::array quantiles{3.314, 3.633, 3.858, 4.030, 4.170, 4.286, 4.387, 4.474, 4.552,
                                    4.622, 4.685, 4.743, 4.796, 4.845, 4.891, 4.934, 4.974};
@@ -93,7 +93,7 @@ std::optional<SweepResult> from_medians(const Evaluator& evaluator, const InputS
         const std::size_t steps = place < half ? half - place : place - half;
         return std::lerp(median, end, static_cast<double>(steps) / static_cast<double>(half));
     };
-    // Point 0 has the medians, which all sweeps share; then those of each parameter, without its median.
+    // Point 0 has all medians and serves every sweep. The other points of each parameter follow, its median left out.
     const auto point = [&](std::size_t index, std::span<double> parameters) {
         for (std::size_t parameter = 0; parameter < dimension; ++parameter) {
             parameters[parameter] = space.marginal(parameter).value(0);
@@ -125,7 +125,7 @@ std::optional<SweepResult> from_medians(const Evaluator& evaluator, const InputS
     return result;
 }
 
-// The sweep over one parameter's classes: `order` has the samples with an answer, by that parameter.
+// The sweep over the classes of one parameter. `order` lists the samples with an answer by increasing value of it.
 ParameterSweep of_classes(const std::vector<std::size_t>& order, std::span<const double> parameter,
                           const std::vector<Evaluation>& answers, std::size_t classes) {
     std::vector<SweepPoint> points;

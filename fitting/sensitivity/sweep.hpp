@@ -1,22 +1,23 @@
-// How a quantity follows one parameter over its range, and whether it always goes the same way. Two accounts of it:
+// How a quantity changes with one parameter over its range, and whether it is monotone. It is found in two ways:
 //
 //   the others at their medians   one evaluation at each of some points between two quantiles; exact, or with the
 //                                 scatter that the study states
-//   the others as they may be     samples of all parameters, sorted by one of them into classes of equal number; each
-//                                 point is the mean of a class, and its scatter the pooled deviation within the classes
-//                                 over the root of their size. The same samples serve every parameter, and a model that
-//                                 scatters by itself costs no more.
+//   the others varied as well     samples of all parameters, sorted by one of them into classes of equal size; each
+//                                 point is the mean of a class, and its scatter is the pooled standard deviation within
+//                                 classes over the root of their size. The same samples serve every parameter, and a
+//                                 model with a scatter of its own costs no more.
 //
-// A tornado has two ends of each range and cannot tell what turns between them; elementary effects of both signs may
-// come of a turn or of another parameter.
+// A tornado diagram knows only the two ends of each range and cannot show a turn between them; elementary effects of
+// both signs may come from a turn or from another parameter.
 //
-// The greatest rise is the most by which any point lies above one before it, the greatest fall likewise below. The
-// greater of the two is the main change. The other is a reversal, and the quantity not monotone, where it exceeds
-//   a hundredth of the main change: less is of no weight beside it, and
+// The greatest rise is the most by which any point lies above an earlier one, and the greatest fall the most by which
+// any point lies below an earlier one. The greater of the two is the main change. The other is a reversal, which makes
+// the quantity not monotone, if it exceeds both
+//   a hundredth of the main change, since a smaller reversal is negligible beside it, and
 //   the scatter times the 95 % quantile of the range of as many independent standard normal numbers as there are points
-//   (Tukey's studentized range, 3.9 for five points): so scatter alone is seldom taken for a reversal, wherever the
-//   points lie.
-// A main change within that multiple of the scatter tells nothing: within_scatter.
+//   (Tukey's studentized range, 3.9 for five points), so that scatter alone is seldom taken for a reversal, whatever
+//   the order of the points.
+// A main change smaller than that multiple of the scatter shows nothing: the course is within_scatter.
 #pragma once
 
 #include "fitting/probability/dependence.hpp"
@@ -34,7 +35,7 @@ namespace delabole {
 struct SweptQuantity {
     std::string name;
     double scatter = 0;
-    Dimension dimension = Dimension::ratio;  // of the scatter, for who writes it down
+    Dimension dimension = Dimension::ratio;  // of the scatter, used when the study is written
     static constexpr auto fields() {
         using S = SweptQuantity;
         return std::tuple{
@@ -78,7 +79,7 @@ struct SweepPoint {
 
 enum class SweepCourse { constant, within_scatter, rises, falls, not_monotone, too_few_answers };
 
-// The change between two points of a sweep, the first at the lesser value of the parameter.
+// The change between two points of a sweep, from the lesser to the greater value of the parameter.
 struct SweepChange {
     double from = 0;
     double to = 0;
@@ -87,14 +88,14 @@ struct SweepChange {
 
 struct ParameterSweep {
     std::vector<SweepPoint> points;  // by increasing parameter
-    double scatter = 0;              // of each
+    double scatter = 0;              // of each point
     SweepCourse course = SweepCourse::too_few_answers;
     SweepChange main;
     SweepChange reversal;  // the greatest change of the other sign; zero where there is none
 };
 
-// The course over points in order; those without an answer are left out, and three have to stay. A change of less than
-// 1e-9 of the greatest value is rounding.
+// The course of the points in the order given. Points without an answer are left out; at least three others are needed.
+// A change of less than 1e-9 of the greatest value counts as rounding.
 ParameterSweep judge_sweep(std::vector<SweepPoint> points, double scatter);
 
 struct SweepResult {
@@ -103,10 +104,10 @@ struct SweepResult {
     EvaluationCount evaluations;
 };
 
-// Without samples the points are at equal distances between the lower quantile and the median, and between that and the
-// upper one, and correlations play no part. With samples a point's parameter is the mean of its class; samples without
-// an answer are left out, and a class with fewer than two answers has none. The quantity is the evaluator's. Nothing
-// where the work was stopped.
+// Without samples the points are equally spaced between the lower quantile and the median, and between the median and
+// the upper quantile; correlations play no part. With samples a point's parameter is the mean of its class; samples
+// without an answer are left out, and a class with fewer than two answers gives no point. The evaluator evaluates the
+// quantity. Returns nothing if the work was stopped.
 std::optional<SweepResult> sweep(const Evaluator& evaluator, const InputSpace& space, const SweepSettings& settings,
                                  double scatter, std::uint64_t seed);
 

@@ -1,4 +1,4 @@
-// The candidates of a back-analysis, asked of the posteriors that it found.
+// The predictions of candidate measurements at draws of the posteriors that a back-analysis found.
 #pragma once
 
 #include "fitting/mechanism/fit_result.hpp"
@@ -9,18 +9,18 @@
 
 namespace delabole {
 
-// Draws of a posterior at which candidates are predicted: errors of reductions are then about a hundredth. Of a costly
-// model, where each is an evaluation, fewer have to do.
+// Greatest number of draws of a posterior at which candidates are predicted, which gives reductions to about a
+// hundredth. For a costly model, where each prediction is a run, there are fewer.
 inline constexpr std::size_t most_draws = 2000;
 inline constexpr std::size_t most_costly_draws = 256;
 
-// Draws of each mechanism with a posterior, in the order of the result; probabilities from the evidence, field evidence
-// included, all mechanisms equally likely beforehand. An input that is not free is known already.
+// Draws of each mechanism with a posterior, in the order of the result. The probabilities follow from the evidence,
+// including field evidence, with all mechanisms equally likely beforehand. An input that is not free counts as known.
 std::vector<MechanismDraws> draws_for_candidates(const FitProblem& problem, const FitResult& result,
                                                  ProgressMeter& progress);
 
-// How much each candidate of the problem would tell. Empty without candidates or without posteriors, and once a stop is
-// requested. The result depends neither on threads nor on ranks.
+// The expected information of each candidate of the problem. Empty without candidates, without posteriors, or once a
+// stop is requested. The result depends neither on threads nor on ranks.
 std::vector<CandidateInformation> information_of(const FitProblem& problem, const FitResult& result,
                                                  const FitProgressCallback& progress = {}, StopFlag stop = nullptr);
 

@@ -10,12 +10,12 @@ namespace delabole {
 
 struct MechanismWeight {
     double log_bayes_factor;  // evidence over the best mechanism's, natural logarithm; -infinity without evidence
-    double probability;       // of the mechanism, one of those given being true
+    double probability;       // of the mechanism, given that one of them is true
     double standard_error;    // of the probability, from the errors of all evidences
 };
 
 struct LogEvidence {
-    double value;  // -infinity: no evidence at all
+    double value;  // -infinity: the evidence is zero
     double standard_error;
 };
 

@@ -22,13 +22,13 @@ bool holds(double value, const ConclusionTest& test) {
     return test.relation == Relation::at_least ? value >= test.limit : value <= test.limit;
 }
 
-// 0 where the two differ by no more than some roundings.
+// The difference, or 0 if the two differ only by rounding.
 double difference(double value, double less) {
     const double rounding = 64 * std::numeric_limits<double>::epsilon() * std::max(std::abs(value), std::abs(less));
     return std::abs(value - less) <= rounding ? 0 : value - less;
 }
 
-// Judges by the mechanisms that were fitted; not tested where none was sampled.
+// Judges by the mechanisms that were fitted. The verdict is not_tested if none of those claimed was sampled.
 TestFinding judge(const ConclusionTest& test, const ClaimOfMechanisms& claim, const FitResult& result) {
     const std::vector<MechanismWeight> weights = weigh(result);
     TestFinding finding;
@@ -47,7 +47,7 @@ TestFinding judge(const ConclusionTest& test, const ClaimOfMechanisms& claim, co
         return finding;
     }
     const double error = 2 * finding.standard_error;
-    // The share that the others together would need for the opposite to be as probable as the claim.
+    // The opposite is as probable as the claim if the other mechanisms together reach this limit.
     const double opposite = 1 - test.limit;
     if (test.relation == Relation::at_least) {
         finding.verdict = finding.value - error >= test.limit                      ? ConclusionVerdict::confirmed

@@ -19,12 +19,12 @@ namespace {
 constexpr double least_effective_draws = 50;
 constexpr double least_share_of_answers = 0.5;
 
-// The draws of one mechanism that have an answer for one candidate.
+// The draws of one mechanism at which the model predicts one candidate.
 struct Answered {
     std::vector<double> predicted;
     std::vector<int> chain;
     std::vector<std::vector<double>> values;       // of each parameter
-    std::vector<std::vector<std::size_t>> ranked;  // of each parameter: draws by its value
+    std::vector<std::vector<std::size_t>> ranked;  // for each parameter, the draws by increasing value
     int chains = 0;
 
     Answered(const MechanismDraws& draws, std::size_t candidate) {
@@ -58,7 +58,8 @@ struct Spread {
     double width = 0;
 };
 
-// Spreads of one parameter with the given weights: entry 0 of all draws, entry c + 1 of all but those of chain c.
+// Spreads of one parameter with the given weights: entry 0 is over all draws, entry c + 1 over all except those of
+// chain c.
 class Spreads {
   public:
     Spreads(const Answered& draws, std::size_t parameter, std::span<const double> weights)
@@ -99,7 +100,7 @@ class Spreads {
         }
     }
 
-    // Between the 2.5 and 97.5 % quantiles of all draws but those of one chain.
+    // Distance between the 2.5 and 97.5 % quantiles over all draws except those of one chain.
     double width(int left_out, double sum) const {
         const std::vector<double>& values = draws_.values[parameter_];
         std::array<double, 2> ends{};
@@ -124,7 +125,7 @@ class Spreads {
 };
 
 struct Outcome {
-    std::size_t draw;  // that made it
+    std::size_t draw;  // from which it was simulated
     double value;
 };
 
@@ -140,7 +141,7 @@ std::vector<Outcome> outcomes_of(const Answered& draws, double deviation, std::s
     return outcomes;
 }
 
-// Relative weights of the draws given an outcome, the greatest near 1; that of the outcome's own draw is 0.
+// Relative weights of the draws given an outcome: the greatest is about 1, that of the outcome's own draw is 0.
 std::vector<double> weights_given(const Answered& draws, const Outcome& outcome, double deviation) {
     std::vector<double> weights(draws.size());
     double least = std::numeric_limits<double>::infinity();
@@ -156,7 +157,7 @@ std::vector<double> weights_given(const Answered& draws, const Outcome& outcome,
     return weights;
 }
 
-// One line of the jackknife: sums over outcomes of spread, from all chains but one.
+// One row of the jackknife: sums of spreads over outcomes, with one chain left out.
 struct Averages {
     std::vector<Spread> sum;  // of each parameter
     std::vector<Spread> now;  // without any measurement
@@ -240,16 +241,16 @@ MechanismInformation inform(const MechanismDraws& mechanism, const Answered& dra
     return information;
 }
 
-// Predictions of one mechanism that has the quantity.
+// Predictions of a candidate by one mechanism.
 struct Predictor {
     std::size_t mechanism;
-    double probability;  // among those that predict it
+    double probability;  // among the mechanisms that predict it
     Answered draws;
     std::vector<Outcome> outcomes;
 };
 
-// ln of the mean normal density of an outcome over the draws, but for a constant and for the draw of that number, if
-// there is one.
+// ln of the mean normal density of an outcome over the draws, up to a constant; the draw of that number, if there is
+// one, is left out.
 double log_density(const Answered& draws, double outcome, double deviation, std::size_t left_out) {
     double least = std::numeric_limits<double>::infinity();
     const auto square = [&](std::size_t draw) {
@@ -274,7 +275,7 @@ double entropy(std::span<const double> probabilities) {
     return sum;
 }
 
-// Given an outcome of predictors[source].
+// Entropy of the probabilities of the mechanisms given an outcome of predictors[source].
 double entropy_after(const std::vector<Predictor>& predictors, std::size_t source, const Outcome& outcome,
                      double deviation) {
     std::vector<double> logs;
@@ -326,7 +327,7 @@ std::optional<ExpectedReduction> about_mechanism(const std::vector<Predictor>& p
     return result;
 }
 
-// Standard errors of independent mechanisms add up by squares.
+// The standard errors of the mechanisms are independent and add up by squares.
 std::vector<ParameterInformation> over_mechanisms(const std::vector<MechanismDraws>& mechanisms,
                                                   const std::vector<MechanismInformation>& information) {
     std::vector<ParameterInformation> sums;

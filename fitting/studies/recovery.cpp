@@ -14,7 +14,7 @@ namespace delabole {
 namespace {
 
 constexpr std::size_t bins = 10;
-constexpr int most_tries = 2000;  // to draw a truth that could have been
+constexpr int most_tries = 2000;  // draws from the prior to find parameters that could have made the data
 
 double normal(const CountedRandom& random, std::uint64_t index, std::size_t dimension) {
     return gsl_cdf_ugaussian_Pinv(random.unit(index, static_cast<std::uint32_t>(dimension)));
@@ -56,10 +56,10 @@ class Repetition {
     }
 
   private:
-    static constexpr std::uint32_t repetition_seed = 1U << 20U;  // a dimension that no parameter has
+    static constexpr std::uint32_t repetition_seed = 1U << 20U;  // index of a random number that no parameter uses
     static constexpr std::uint32_t acceptance = repetition_seed + 1;
 
-    // Whether there is one with which the observations could have been made.
+    // Whether there are parameters with which the observations could have been made.
     bool find_truth() {
         if (!settings_.truth.empty()) {
             truth_ = settings_.truth;
@@ -80,7 +80,7 @@ class Repetition {
         return false;
     }
 
-    // False where the model has no answer there.
+    // False if the model has no answer at the known parameters.
     bool predict() {
         predicted_ = misfit_.compare(truth_);
         return misfit_.parts(truth_).failure.empty();

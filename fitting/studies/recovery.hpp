@@ -1,14 +1,15 @@
-// Whether a back-analysis says the truth: data are made from known parameters with the errors that the observations are
-// given, the posterior is sampled as it would be for real data, and the truth is looked for in it, many times over.
+// Whether a back-analysis recovers the truth: data are made from known parameters with the errors that the observations
+// are given, the posterior is sampled as for real data, and the known parameters are compared with it, many times over.
 //
-// Where the truth is drawn from the prior, exactly 68 and 95 % of the intervals hold it and its rank among the draws is
-// uniform, whatever the model (simulation-based calibration; S. Talts et al., arXiv 1804.06788, 2018): what departs
-// from that beyond chance is a fault of the sampling. At fixed parameters coverage also tells how far the prior pulls.
+// If the known parameters are drawn from the prior, exactly 68 and 95 % of the intervals hold them and their rank among
+// the draws is uniform, whatever the model (simulation-based calibration; S. Talts et al., arXiv 1804.06788, 2018): a
+// deviation beyond chance is a fault of the sampling. At fixed parameters the coverage also shows how far the prior
+// shifts the result.
 //
-// An inequality has no error that could be drawn. Of truths drawn from the prior those are kept with which it holds,
-// with the probability exp(-pull^2 / 2) that the misfit gives it; ranks stay uniform. A truth at which the model has no
-// answer is drawn again, as the posterior gives it no density. A profile, whose misfit is no probability of anything,
-// is left out.
+// An inequality has no error that could be drawn. Parameters drawn from the prior are therefore kept with the
+// probability exp(-pull^2 / 2) that the misfit assigns to their inequalities; ranks stay uniform. Parameters at which
+// the model has no answer are drawn again, since the posterior has no density there. A profile is left out, because its
+// misfit is not the probability of an observation.
 #pragma once
 
 #include "fitting/posterior/fit_problem.hpp"
@@ -27,18 +28,18 @@ namespace delabole {
 struct RecoverySettings {
     int repetitions = 200;         // >= 1
     std::vector<double> truth;     // one number per parameter of the mechanism, SI; empty: drawn from the prior
-    PosteriorSettings posterior;   // of each repetition; its seed is of all
-    int threads = 1;               // the result depends neither on these
+    PosteriorSettings posterior;   // of each repetition; its seed is that of the whole study
+    int threads = 1;               // the result depends neither on this
     const Ranks* ranks = nullptr;  // nor on these
 };
 
-// Draws of each posterior among which the truth is ranked, few enough to be as good as independent.
+// Number of draws of each posterior among which the known parameters are ranked: few enough to be almost independent.
 inline constexpr int ranked_draws = 99;
 
 // One repetition.
 struct Recovered {
     PosteriorStatus status = PosteriorStatus::no_valid_point;
-    bool has_truth = false;  // a truth was found at which the model has answers and the inequalities hold
+    bool has_truth = false;  // parameters were found at which the model has answers and the inequalities hold
     std::vector<double> truth;
     // For each free parameter:
     std::vector<double> mean;
@@ -64,13 +65,13 @@ struct ParameterRecovery {
     Estimate bias;               // mean of (posterior mean - truth) / posterior standard deviation
     double spread = 0;           // mean posterior standard deviation, SI
     std::vector<int> histogram;  // of the ranks, ten bins
-    double uniformity = 0;       // probability that uniform ranks differ by as much (chi-square)
+    double uniformity = 0;       // probability that uniform ranks deviate at least as much (chi-square)
 };
 
 struct MechanismRecovery {
     std::string name;
-    std::vector<Recovered> repetitions;         // those that were begun, in their order
-    std::vector<ParameterRecovery> parameters;  // free ones, over the repetitions that count: with truth and converged
+    std::vector<Recovered> repetitions;         // those that were begun, in order
+    std::vector<ParameterRecovery> parameters;  // free ones, over repetitions with a truth that converged
     int counted = 0;
     int without_truth = 0;
     int not_converged = 0;
@@ -78,7 +79,7 @@ struct MechanismRecovery {
     bool interrupted = false;
 };
 
-// Throws std::invalid_argument for settings out of range and for what PriorSpace and Misfit refuse.
+// Throws std::invalid_argument for settings out of range and for all that PriorSpace and Misfit do not accept.
 MechanismRecovery recover(const Mechanism& mechanism, const FitProblem& problem, const RecoverySettings& settings,
                           ProgressMeter& progress, StopFlag stop = nullptr);
 

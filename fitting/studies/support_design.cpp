@@ -10,7 +10,7 @@ namespace delabole {
 
 namespace {
 
-// Places among the model's inputs of what the bolts of one pattern cost by.
+// Indices, among the model's inputs, of those that the cost of a bolt pattern depends on.
 struct CostPlaces {
     std::size_t rows;
     std::size_t spacing;
@@ -30,7 +30,7 @@ std::vector<CostPlaces> cost_places(const ModelInterface& model) {
     }
 }
 
-// Every combination of the choices, whose places are given, by cost.
+// Every combination of the choices by increasing cost; `places` are the indices of their inputs.
 std::vector<TriedSupport> all_patterns(const ModelInterface& model, const SupportDesign& design,
                                        const std::vector<std::size_t>& places) {
     std::vector<TriedSupport> patterns{{{}, 0, {}, {}}};
@@ -60,7 +60,7 @@ std::vector<TriedSupport> all_patterns(const ModelInterface& model, const Suppor
     return patterns;
 }
 
-// Where a model's search ended at a bound, that bound.
+// If the model's search ended at a bound of the factor of safety, that bound is entered.
 void evaluate(const ModelInterface& model, std::size_t factor, const std::vector<Assignment>& assignments,
               TriedSupport& tried) {
     const Prediction prediction = model.predict(assignments);

@@ -1,9 +1,10 @@
-// The cheapest support for a factor of safety: all patterns that the stated choices allow, in the order of their cost,
-// up to the first that reaches it.
+// The cheapest support for a factor of safety: all patterns that the given choices allow, tried in order of cost up to
+// the first that reaches it.
 //
-// Cost per metre of slope: over all patterns of the model, its inputs support[n],
+// Cost per metre of slope, summed over all patterns of the model, its inputs support[n]:
 //     sum of rows / spacing (cost per bolt + cost per metre length),
-// in whatever currency the two costs are. Exact: every cheaper pattern of the choices has been tried and fails.
+// in the currency of the two costs. The result is exact: every cheaper pattern of the choices has been tried and does
+// not reach the factor of safety.
 #pragma once
 
 #include "parameters/model_interface.hpp"
@@ -51,27 +52,28 @@ struct SupportDesign {
     }
 };
 
-// Patterns are few enough to be tried one by one.
+// Greatest number of patterns: each of them may be tried.
 inline constexpr double most_support_patterns = 100'000;
 double number_of_patterns(const SupportDesign& design);
 
 struct TriedSupport {
     std::vector<double> values;  // SI, in the order of the choices
     double cost;                 // per metre of slope
-    // Infinite where nothing fails at any strength, 0 where the slope fails at any.
+    // Infinite if nothing fails at any strength, 0 if the slope fails at any strength.
     std::optional<double> factor_of_safety;  // absent where the model has no answer
-    std::string failure;                     // why, e.g. "bolt_head_above_crest"
+    std::string failure;                     // why there is no factor of safety, e.g. "bolt_head_above_crest"
 };
 
 struct SupportDesignResult {
     std::vector<TriedSupport> tried;       // in the order of cost
-    std::optional<std::size_t> cheapest;   // the last of them; absent where none reaches the factor of safety
-    std::optional<std::size_t> strongest;  // that of the greatest factor of safety; absent without any answer
-    std::size_t patterns;                  // that the choices allow
+    std::optional<std::size_t> cheapest;   // index of the last of them; absent if none reaches the factor of safety
+    std::optional<std::size_t> strongest;  // that with the greatest factor of safety; absent if none has one
+    std::size_t patterns;                  // number of patterns that the choices allow
     std::map<std::string, std::size_t> failed_by_cause;
 };
 
-// The choices name inputs of the model, which has the output factor_of_safety. Told the share done; false ends it.
+// The choices name inputs of the model, which has the output factor_of_safety. `watch` is told the share done; if it
+// returns false the search ends.
 SupportDesignResult design_support(const ModelInterface& model, const SupportDesign& design,
                                    const std::function<bool(double share)>& watch = {});
 

@@ -14,7 +14,7 @@ namespace delabole {
 
 namespace {
 
-// "1e7", "0.05": knobs range over so many decades that digits are hard to count.
+// "1e7" or "0.05": the settings range over so many decades that plain digits would be hard to count.
 std::string in_few_characters(double value) {
     std::array<char, 32> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
@@ -27,7 +27,7 @@ std::string in_few_characters(double value) {
     return text;
 }
 
-// Share of the expected cost done by all searches together.
+// Share of the expected cost that all searches together have done.
 class TradeMeter {
   public:
     TradeMeter(const TradeProblem& problem, const TradeProgress& progress)
@@ -132,7 +132,7 @@ TradeResult trade(const TradeProblem& problem, const TradeProgress& progress, co
             meter.report(setting, std::min(share, 0.999));
             return !interrupted;
         });
-        // A search that had its answer when the interrupt came is finished all the same.
+        // A search that had its answer when the interrupt came counts as finished.
         if (answer.failure.empty() || !interrupted) {
             answers[setting] = answer;
             meter.report(setting, 1);

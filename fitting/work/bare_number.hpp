@@ -7,7 +7,7 @@
 
 namespace delabole {
 
-// The number that the text is, with nothing before or after it.
+// The number that makes up the whole text; nothing if the text holds anything else.
 template <class Number = double>
 std::optional<Number> bare_number(std::string_view text) {
     Number number{};

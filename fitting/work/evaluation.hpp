@@ -1,4 +1,4 @@
-// One evaluation of an objective, and the count of many.
+// One evaluation of an objective, and counts of many.
 #pragma once
 
 #include <string>
@@ -14,13 +14,13 @@ struct Evaluation {
     // owned by the objective).
     std::string_view failure;
 
-    // A value that is not finite is never an answer, whatever the objective says.
+    // A value that is not finite is never valid, even if the objective reports no failure.
     bool valid() const;
 };
 
 struct EvaluationCount {
     long total = 0;
-    long optimiser_rejections = 0;  // failed evaluations handed to an algorithm as a finite penalty
+    long optimiser_rejections = 0;  // failed evaluations that an algorithm received as a finite penalty
     std::vector<std::pair<std::string, long>> failed_by_cause;  // sorted by cause
 
     // Counts one evaluation, under the cause "not_a_number" or "infinite" if it failed without saying why.

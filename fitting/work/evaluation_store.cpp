@@ -19,9 +19,9 @@ namespace delabole {
 
 namespace {
 
-constexpr int layout = 1;                     // of the tables below
-constexpr int application = 0x44656C62;       // "Delb", in the header of the file
-constexpr int patience_milliseconds = 60000;  // for other processes, each of which writes for some milliseconds
+constexpr int layout = 1;                     // version of the tables below
+constexpr int application = 0x44656C62;       // "Delb", stored in the header of the file
+constexpr int patience_milliseconds = 60000;  // wait for other processes, each of which writes for some milliseconds
 
 constexpr const char* tables =
     "CREATE TABLE model (id INTEGER PRIMARY KEY, program TEXT NOT NULL, description TEXT NOT NULL,"
@@ -30,7 +30,8 @@ constexpr const char* tables =
     " failure TEXT NOT NULL, outputs BLOB NOT NULL, profile BLOB NOT NULL, seconds REAL NOT NULL,"
     " checksum INTEGER NOT NULL, UNIQUE (model, parameters));";
 
-// Sorted by input, the last of several values for one input, as assign() takes them.
+// Bytes that identify the values: sorted by input, and the last of several values for one input, as assign() applies
+// them.
 std::string key_of(std::span<const Assignment> assignments) {
     std::map<std::size_t, double> values;
     for (const Assignment& assignment : assignments) {
@@ -65,9 +66,9 @@ struct Entry {
     std::string profile;
     double seconds = 0;
 
-    std::int64_t checksum(std::int64_t shelf, std::string_view key) const {
+    std::int64_t checksum(std::int64_t model_id, std::string_view key) const {
         ArchiveWriter writer;
-        writer.put(shelf);
+        writer.put(model_id);
         for (const std::string_view text :
              {key, std::string_view(failure), std::string_view(outputs), std::string_view(profile)}) {
             writer.put(text);
@@ -86,15 +87,15 @@ class EvaluationStore::Database {
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
 
-    std::int64_t shelf_of(std::string_view model);
-    Prediction predict(std::int64_t shelf, const ModelInterface& model, std::span<const Assignment> assignments);
+    std::int64_t id_of_model(std::string_view model);
+    Prediction predict(std::int64_t model_id, const ModelInterface& model, std::span<const Assignment> assignments);
 
     std::filesystem::path path;
     StoreTraffic traffic;
-    std::mutex mutex;  // of everything below and of the traffic
+    std::mutex mutex;  // guards everything below and the traffic
 
   private:
-    // A statement, from its preparation to its end.
+    // An SQL statement from preparation to finalisation.
     class Statement {
       public:
         Statement(Database& database, const char* text) : database_(database) {
@@ -112,7 +113,7 @@ class EvaluationStore::Database {
         void bind_bytes(int place, std::string_view bytes) {
             database_.demand(sqlite3_bind_blob64(statement_, place, bytes.data(), bytes.size(), nullptr));
         }
-        // Whether there is a row.
+        // False after the last row.
         bool step() {
             const int code = sqlite3_step(statement_);
             if (code != SQLITE_ROW && code != SQLITE_DONE) {
@@ -138,23 +139,23 @@ class EvaluationStore::Database {
     void check_layout();
     void close() { sqlite3_close(std::exchange(connection_, nullptr)); }
     void execute(const char* text) { demand(sqlite3_exec(connection_, text, nullptr, nullptr, nullptr)); }
-    // SQLite does not wait for others by itself where it turns a lock into a stronger one: two processes that open a
-    // new file at once.
+    // SQLite does not wait for other processes when a lock has to become a stronger one, for example when two processes
+    // open a new file at once; here the statement is repeated instead.
     void execute_patiently(const char* text);
     std::int64_t pragma(const char* text);
     void demand(int code) const;
     [[noreturn]] void refuse(const std::string& sentence) const { throw StoreError(path.string() + ' ' + sentence); }
     [[noreturn]] void refuse_as_damaged(const std::string& reason) const;
 
-    std::optional<Entry> find(std::int64_t shelf, const std::string& key);
-    void keep(std::int64_t shelf, const std::string& key, const Entry& entry);
+    std::optional<Entry> find(std::int64_t model_id, const std::string& key);
+    void keep(std::int64_t model_id, const std::string& key, const Entry& entry);
     Prediction prediction_of(const Entry& entry, std::size_t outputs);
-    Prediction compute(std::int64_t shelf, const std::string& key, const ModelInterface& model,
+    Prediction compute(std::int64_t model_id, const std::string& key, const ModelInterface& model,
                        std::span<const Assignment> assignments);
 
     std::string program_;
     sqlite3* connection_ = nullptr;
-    std::set<std::string> words_;  // of failure, at addresses that stay
+    std::set<std::string> words_;  // texts of failures, at addresses that do not change
     std::map<std::pair<std::int64_t, std::string>, std::shared_future<Prediction>> under_way_;
 };
 
@@ -212,7 +213,7 @@ void EvaluationStore::Database::open() {
         std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
         refuse("is no ordinary file: name another one for the evaluation store");
     }
-    // Absolute, so that no name has a meaning of its own to SQLite.
+    // The path is made absolute, because SQLite gives some relative names such as ":memory:" a special meaning.
     const std::string name = std::filesystem::absolute(path).string();
     demand(sqlite3_open_v2(name.c_str(), &connection_,
                            SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_FULLMUTEX, nullptr));
@@ -229,7 +230,7 @@ void EvaluationStore::Database::open() {
 }
 
 void EvaluationStore::Database::lay_out() {
-    // Whoever comes second finds the tables of the first.
+    // A process that comes second finds the tables already made by the first.
     execute("BEGIN IMMEDIATE");
     if (pragma("SELECT count(*) FROM sqlite_master") == 0) {
         execute(tables);
@@ -255,7 +256,7 @@ void EvaluationStore::Database::check_layout() {
     }
 }
 
-std::int64_t EvaluationStore::Database::shelf_of(std::string_view model) {
+std::int64_t EvaluationStore::Database::id_of_model(std::string_view model) {
     const std::lock_guard lock(mutex);
     Statement insert(*this, "INSERT OR IGNORE INTO model (program, description) VALUES (?, ?)");
     insert.bind_text(1, program_);
@@ -270,32 +271,32 @@ std::int64_t EvaluationStore::Database::shelf_of(std::string_view model) {
     return select.integer(0);
 }
 
-std::optional<Entry> EvaluationStore::Database::find(std::int64_t shelf, const std::string& key) {
+std::optional<Entry> EvaluationStore::Database::find(std::int64_t model_id, const std::string& key) {
     Statement select(*this,
                      "SELECT failure, outputs, profile, seconds, checksum FROM evaluation"
                      " WHERE model = ? AND parameters = ?");
-    select.bind(1, shelf);
+    select.bind(1, model_id);
     select.bind_bytes(2, key);
     if (!select.step()) {
         return std::nullopt;
     }
     Entry entry{select.bytes(0), select.bytes(1), select.bytes(2), select.real(3)};
-    if (entry.checksum(shelf, key) != select.integer(4)) {
+    if (entry.checksum(model_id, key) != select.integer(4)) {
         refuse_as_damaged("an entry differs from its checksum");
     }
     return entry;
 }
 
-void EvaluationStore::Database::keep(std::int64_t shelf, const std::string& key, const Entry& entry) {
-    // Another process may have been quicker; it has computed the same.
+void EvaluationStore::Database::keep(std::int64_t model_id, const std::string& key, const Entry& entry) {
+    // If another process was quicker, its entry is kept, which holds the same values.
     Statement insert(*this, "INSERT OR IGNORE INTO evaluation VALUES (?, ?, ?, ?, ?, ?, ?)");
-    insert.bind(1, shelf);
+    insert.bind(1, model_id);
     insert.bind_bytes(2, key);
     insert.bind_text(3, entry.failure);
     insert.bind_bytes(4, entry.outputs);
     insert.bind_bytes(5, entry.profile);
     insert.bind(6, entry.seconds);
-    insert.bind(7, entry.checksum(shelf, key));
+    insert.bind(7, entry.checksum(model_id, key));
     insert.step();
 }
 
@@ -320,23 +321,23 @@ Prediction EvaluationStore::Database::prediction_of(const Entry& entry, std::siz
     return prediction;
 }
 
-Prediction EvaluationStore::Database::compute(std::int64_t shelf, const std::string& key, const ModelInterface& model,
-                                              std::span<const Assignment> assignments) {
+Prediction EvaluationStore::Database::compute(std::int64_t model_id, const std::string& key,
+                                              const ModelInterface& model, std::span<const Assignment> assignments) {
     const auto begin = std::chrono::steady_clock::now();
     Prediction prediction = model.predict(assignments);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const std::lock_guard lock(mutex);
-    keep(shelf, key,
+    keep(model_id, key,
          {std::string(prediction.failure), bytes_of(prediction.outputs), bytes_of(prediction.profile), seconds});
     ++traffic.made;
     traffic.seconds_made += seconds;
     return prediction;
 }
 
-Prediction EvaluationStore::Database::predict(std::int64_t shelf, const ModelInterface& model,
+Prediction EvaluationStore::Database::predict(std::int64_t model_id, const ModelInterface& model,
                                               std::span<const Assignment> assignments) {
     const std::string key = key_of(assignments);
-    const std::pair place{shelf, key};
+    const std::pair place{model_id, key};
     std::promise<Prediction> promise;
     {
         std::unique_lock lock(mutex);
@@ -348,7 +349,7 @@ Prediction EvaluationStore::Database::predict(std::int64_t shelf, const ModelInt
             ++traffic.found;
             return prediction;
         }
-        if (const std::optional<Entry> entry = find(shelf, key)) {
+        if (const std::optional<Entry> entry = find(model_id, key)) {
             Prediction prediction = prediction_of(*entry, model.outputs.size());
             ++traffic.found;
             traffic.seconds_found += entry->seconds;
@@ -361,7 +362,7 @@ Prediction EvaluationStore::Database::predict(std::int64_t shelf, const ModelInt
         under_way_.erase(place);
     };
     try {
-        Prediction prediction = compute(shelf, key, model, assignments);
+        Prediction prediction = compute(model_id, key, model, assignments);
         promise.set_value(prediction);
         leave();
         return prediction;
@@ -386,20 +387,20 @@ StoreTraffic EvaluationStore::traffic() const {
     return database_->traffic;
 }
 
-std::int64_t EvaluationStore::shelf_of(std::string_view model) {
-    return database_->shelf_of(model);
+std::int64_t EvaluationStore::id_of_model(std::string_view model) {
+    return database_->id_of_model(model);
 }
 
-Prediction EvaluationStore::predict(std::int64_t shelf, const ModelInterface& model,
+Prediction EvaluationStore::predict(std::int64_t model_id, const ModelInterface& model,
                                     std::span<const Assignment> assignments) {
-    return database_->predict(shelf, model, assignments);
+    return database_->predict(model_id, model, assignments);
 }
 
 ModelInterface stored(ModelInterface model, EvaluationStore& store, std::string_view description) {
-    const std::int64_t shelf = store.shelf_of(description);
+    const std::int64_t model_id = store.id_of_model(description);
     const auto computed = std::make_shared<const ModelInterface>(model);
-    model.predict = [&store, shelf, computed](std::span<const Assignment> assignments) {
-        return store.predict(shelf, *computed, assignments);
+    model.predict = [&store, model_id, computed](std::span<const Assignment> assignments) {
+        return store.predict(model_id, *computed, assignments);
     };
     return model;
 }

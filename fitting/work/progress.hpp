@@ -13,7 +13,7 @@ namespace delabole {
 struct FitProgress {
     std::string_view mechanism;  // or the quantity of a sensitivity study
     std::string_view stage;      // "starts", "profiles", ...
-    double fraction;             // of the expected work as a whole, 0 to 1, never falling
+    double fraction;             // share of the expected work as a whole, 0 to 1, never decreasing
     long evaluations;            // so far
 };
 
@@ -22,14 +22,14 @@ using FitProgressCallback = std::function<void(const FitProgress&)>;
 
 class ProgressMeter {
   public:
-    // expected_total: evaluations of all stages to come.
+    // expected_total: number of evaluations of all stages to come.
     ProgressMeter(FitProgressCallback callback, long expected_total);
 
-    // Not while other threads count.
+    // Must not be called while other threads count.
     void begin_stage(std::string_view mechanism, std::string_view stage, long expected_evaluations);
     void finish();
     void count(long evaluations = 1) { count(evaluations, evaluations); }
-    // Evaluations that take as long as so many usual ones.
+    // Counts evaluations that take as long as `usual_ones` usual ones.
     void count(long evaluations, long usual_ones);
 
   private:
@@ -44,7 +44,7 @@ class ProgressMeter {
     long worked_before_ = 0;
     double fraction_ = 0;
     std::atomic<long> counted_ = 0;
-    std::atomic<long> worked_ = 0;  // in usual ones
+    std::atomic<long> worked_ = 0;  // measured in usual evaluations
     std::mutex reporting_;
     std::atomic<std::chrono::steady_clock::rep> next_report_ = 0;
 };

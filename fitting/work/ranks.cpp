@@ -18,9 +18,9 @@ namespace delabole {
 
 namespace {
 
-// Whether a launcher has started this process as one of several: MPI itself takes time to begin, and complains where it
-// cannot, which is no business of a program that is run alone. Words of Open MPI, of MPICH and Intel MPI, and of
-// Slurm's srun.
+// Whether a launcher has started this process as one of several. MPI is initialised only then, since that takes time
+// and prints complaints where it fails, which would be wrong for a program that runs alone. The names are those set by
+// Open MPI, by MPICH and Intel MPI, and by Slurm's srun.
 bool is_one_of_several() {
     constexpr std::array words{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"};
     return std::any_of(words.begin(), words.end(), [](const char* word) {
@@ -46,7 +46,7 @@ std::string_view Ranks::word(const std::string& text) const {
 
 namespace {
 
-// MPI's own waiting keeps a processor busy, which the threads of this rank and other ranks have use for.
+// MPI's own waiting keeps a processor busy that the threads of this rank and other ranks could use.
 void await(MPI_Request& request) {
     constexpr int impatient = 2000;
     int arrived = 0;

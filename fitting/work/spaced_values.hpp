@@ -6,7 +6,7 @@
 
 namespace delabole {
 
-// Begins and ends at what is given, to the last bit; a single value is the first.
+// Begins and ends exactly at the given values; a single value is the first of them.
 inline std::vector<double> spaced_values(double from, double to, std::int64_t points) {
     std::vector<double> values;
     for (std::int64_t index = 0; index < points; ++index) {

@@ -64,7 +64,7 @@ std::string number_in_words(double value) {
     const auto [end, error] =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3);
     std::string text(buffer.data(), end);
-    // general format switches to an exponent from 1000 on, where people still expect plain digits
+    // The general format switches to an exponent from 1000 on, where people still expect plain digits.
     if (std::abs(value) >= 999.5 && std::abs(value) < 1e7) {
         text = std::to_string(std::llround(value));
     }

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A part is locked as long as its writer lives, so that one without a lock is abandoned. File systems that cannot lock
-// refuse the remover's lock as well: there parts stay.
+// A temporary file is locked as long as its writer runs, so one without a lock is abandoned. File systems without locks
+// refuse the lock of remove_abandoned_parts() as well, so there the files stay.
 bool lock(int descriptor) {
     return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
 }
@@ -31,7 +31,7 @@ std::string beginning_of_part(const fs::path& target) {
 
 constexpr std::string_view end_of_part = ".part";
 
-// The name of the file that a part was to become; empty where the name is not a part's.
+// The final name of a temporary file; empty if the name is not that of a temporary file.
 std::string target_of_part(std::string_view name) {
     if (!name.starts_with('.') || !name.ends_with(end_of_part)) {
         return {};
@@ -50,12 +50,12 @@ std::string target_of_part(std::string_view name) {
     return std::string(name);
 }
 
-// Open file that is removed again unless it was committed to its final name.
+// An open file that is removed again unless it was committed to its final name.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const fs::path& target) : target_(target) {
-        // Unique within the process by the counter, between processes by the id; O_EXCL catches what an earlier process
-        // of the same id left behind.
+        // The counter makes the name unique within the process, the process id between processes; O_EXCL detects a file
+        // that an earlier process with the same id left.
         static std::atomic<unsigned> counter = 0;
         constexpr int attempts = 100;
         for (int attempt = 0; attempt < attempts && descriptor_ < 0; ++attempt) {
@@ -103,11 +103,11 @@ class TemporaryFile {
     }
 
     void commit() {
-        // Some file systems notice only here that the disk is full; EINVAL means that they cannot synchronise at all.
+        // Some file systems report only here that the disk is full; EINVAL means that they cannot synchronise at all.
         if (::fsync(descriptor_) != 0 && errno != EINVAL) {
             throw OutputError(target_, reason_of(errno));
         }
-        // The copy keeps the lock until the part has its final name.
+        // The duplicate descriptor keeps the lock until the file has its final name.
         const int lock_holder = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
         const bool closed = ::close(std::exchange(descriptor_, lock_holder)) == 0;
         if (!closed || ::rename(path_.c_str(), target_.c_str()) != 0) {
@@ -117,7 +117,7 @@ class TemporaryFile {
     }
 
   private:
-    // Says whether a remover took the file between its creation and its lock.
+    // Whether another process removed the file between its creation and its lock.
     bool taken_for_abandoned() const {
         if (!lock(descriptor_) && errno == EWOULDBLOCK) {
             return true;
@@ -171,7 +171,8 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         throw OutputError(path, fs::is_directory(status) ? "it is a folder" : "it is not a regular file");
     }
-    // A link that takes the place of the file from here on is replaced by the final renaming, not followed.
+    // If a link takes the place of the file after this check, the final renaming replaces the link and does not follow
+    // it.
     TemporaryFile file(path);
     file.write(text);
     file.commit();

@@ -1,4 +1,4 @@
-// Writing a result file so that a reader never meets half of one.
+// Writes a result file so that a reader never sees an incomplete one.
 #pragma once
 
 #include <filesystem>
@@ -25,28 +25,29 @@ class OutputError : public std::runtime_error {
 // The meaning of a value of errno, in words.
 std::string reason_of(int error);
 
-// Writes `text` to a hidden temporary file beside `path`, forces it to the disk and renames it to `path`: afterwards
-// either the whole new file is there or, after an OutputError, whatever was there before, without leftovers. Only
-// regular files are replaced: a symbolic link, folder, device or pipe named `path` is refused.
+// Writes `text` to a hidden temporary file beside `path`, forces it to the disk and renames it to `path`. Afterwards
+// either the complete new file is there or, after an OutputError, the file that was there before, without leftovers.
+// Only regular files are replaced: a symbolic link, folder, device or pipe named `path` is rejected.
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
-// OutputError where `path` is a symbolic link: a result folder may come from somebody else, and a link in it would lead
-// the results to any file of the user's.
+// Throws OutputError if `path` is a symbolic link. A result folder may come from another user, and a link in it could
+// make the results overwrite any file of this user.
 void refuse_link(const std::filesystem::path& path);
 
-// Where a link that the user has named leads to, whether something is there or not; `path` itself where it is no link.
+// The target of a link that the user has named, whether it exists or not; `path` itself if it is not a link. Throws
 // OutputError for links that lead in a circle.
 std::filesystem::path end_of_links(const std::filesystem::path& path);
 
-// Removes what processes killed while they wrote `path` have left beside it; what another is writing just now stays.
+// Removes what processes that were killed while writing `path` have left beside it; a file that another process is
+// still writing stays.
 void remove_abandoned_parts(const std::filesystem::path& path);
-// The same for several files of one folder, by their names.
+// The same for several files of one folder, given by their names.
 void remove_abandoned_parts(const std::filesystem::path& folder, const std::set<std::string>& files);
 
-// Creates the folder and its parents where they are missing; links are followed. OutputError if that is impossible.
+// Creates the folder and its parents if they are missing; links are followed. Throws OutputError if that is impossible.
 void create_output_folder(const std::filesystem::path& folder);
 
-// The same for a folder within a result folder, which must not be a link.
+// Creates a folder within a result folder; it must not be a link.
 void create_output_subfolder(const std::filesystem::path& folder);
 
 }  // namespace delabole

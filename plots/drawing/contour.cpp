@@ -131,7 +131,7 @@ std::vector<Polyline> contour_lines(const std::vector<double>& x_values, const s
     };
 
     std::vector<Polyline> chains;
-    // Open chains first, from an end; what is left is closed and may start anywhere.
+    // Open polylines are followed first, from an end; the others are closed and may begin anywhere.
     for (const bool open : {true, false}) {
         for (std::size_t index = 0; index < segments.size(); ++index) {
             for (const Side& end : {segments[index].first, segments[index].second}) {

@@ -1,4 +1,4 @@
-// The range that finite numbers span, and the frame that finite points span.
+// The range of a set of finite numbers, and the frame around a set of finite points.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -13,7 +13,7 @@ struct Extent {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
 
-    // Numbers that are not finite are passed over.
+    // Numbers that are not finite are ignored.
     void include(double value) {
         if (std::isfinite(value)) {
             lowest = std::min(lowest, value);

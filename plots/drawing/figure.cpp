@@ -28,9 +28,9 @@ void check_name(const std::string& name) {
 }
 
 constexpr std::string_view beginning_of_scratch = ".drawing-";
-constexpr std::size_t letters_of_scratch = 6;  // as mkdtemp has them
+constexpr std::size_t letters_of_scratch = 6;  // mkdtemp replaces that many letters
 
-// Folder that disappears with everything in it.
+// A folder that is removed with its contents at the end.
 class ScratchFolder {
   public:
     explicit ScratchFolder(const fs::path& parent) {
@@ -59,8 +59,8 @@ std::string read_file(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// gnuplot leaves a truncated or empty picture, sometimes with exit code 0, after a failed plot or on a full disk: the
-// end of the file tells.
+// After a failed plot or on a full disk gnuplot leaves a truncated or empty picture, sometimes with exit code 0. The
+// end of the file shows whether it is complete.
 bool svg_complete(const std::string& content) {
     const std::size_t end = content.rfind("</svg>");
     return content.find("<svg") != std::string::npos && end != std::string::npos && content.size() - end < 16;
@@ -71,7 +71,7 @@ bool png_complete(const std::string& content) {
            content.compare(content.size() - 8, 4, "IEND") == 0;
 }
 
-// gnuplot's message without the echo of the script: the lines that say what is wrong, joined by "; ".
+// gnuplot's message without the echo of the script: the lines that state the problem, joined by "; ".
 std::string remark(const std::string& output) {
     std::string joined;
     std::size_t begin = 0;
@@ -80,7 +80,7 @@ std::string remark(const std::string& output) {
         std::string line = output.substr(begin, end - begin);
         begin = end + 1;
         line.erase(0, line.find_first_not_of(" \t\r^"));
-        // Legends are fitted by this program's own measure.
+        // This warning is ignored, because the legend is laid out by this program itself.
         if (line.find("fitting plot titles") != std::string::npos) {
             continue;
         }
@@ -91,7 +91,7 @@ std::string remark(const std::string& output) {
     return joined;
 }
 
-// ": " and the remark, or the beginning of whatever gnuplot wrote, on one line; empty when it wrote nothing.
+// ": " and the message, or the beginning of gnuplot's output, on one line; empty if there was none.
 std::string explanation(const std::string& output) {
     std::string text = remark(output);
     if (text.empty()) {
@@ -101,8 +101,8 @@ std::string explanation(const std::string& output) {
     return text.empty() ? text : std::string(": ").append(text);
 }
 
-// gnuplot says nothing of a full disk, it leaves half a picture. That is the disk's failure, not gnuplot's:
-// OutputError.
+// gnuplot does not report a full disk but leaves an incomplete picture. Since the disk is the cause and not gnuplot,
+// OutputError is thrown.
 void check_room(const fs::path& scratch, const fs::path& picture) {
     constexpr std::size_t more_than_a_picture = std::size_t{1} << 20U;
     const fs::path probe = scratch / "room";
@@ -130,7 +130,7 @@ void draw(FigureFiles& files, const fs::path& folder, GnuplotRuns& runs) {
         return;
     }
     const ScratchFolder scratch(folder);
-    // -d: without the user's own start-up file, so that everyone gets the same figure.
+    // -d: the user's own start-up file is not read, so that the figure is the same for everyone.
     const ProcessResult run =
         run_program(*gnuplot, {"-d", (".." / files.script.filename()).string()}, scratch.path(), runs.time_limit);
     if (run.timed_out) {

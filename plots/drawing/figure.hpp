@@ -1,8 +1,8 @@
-// A figure as a value, and its way to the disk: first a gnuplot script that holds everything, then pictures made from
-// it.
+// A figure as a value, and its output: first a gnuplot script that holds everything, then pictures made from the
+// script.
 //
-// Coordinates are in the units that the axes name. Numbers that are not finite break a line and are left out of
-// everything else. Texts are plain UTF-8: no markup, so that factor_of_safety keeps its underscores.
+// Coordinates are in the units that the axes name. Numbers that are not finite interrupt a line and are left out of
+// everything else. Texts are plain UTF-8 without markup, so that factor_of_safety keeps its underscores.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -21,7 +21,8 @@
 
 namespace delabole {
 
-// Told apart by readers with any of the common colour-vision deficiencies (Okabe & Ito 2008), in this order.
+// Colours in an order in which readers with any common colour-vision deficiency can distinguish them (Okabe & Ito
+// 2008).
 enum class Colour { black, blue, vermilion, green, orange, purple, sky, grey, light_grey, rock, white };
 
 enum class Dash { solid, dashed, dotted };
@@ -53,7 +54,7 @@ struct Region {
     double opacity = 0.3;
 };
 
-// Filled rectangles: bars of either direction.
+// Filled rectangles, such as vertical or horizontal bars.
 struct Boxes {
     struct Box {
         Point lower_left;
@@ -64,13 +65,13 @@ struct Boxes {
     Colour colour = Colour::blue;
 };
 
-// Values over a grid, light for low and dark for high values, with its colour scale beside the figure.
+// Values over a grid, light for low and dark for high values, with a colour scale beside the figure.
 struct HeatMap {
     std::vector<double> x_values = {};  // equally spaced, at least two
     std::vector<double> y_values = {};  // equally spaced, at least two
     Eigen::MatrixXd values = {};        // values(row, column) at y(row), x(column); not finite: no answer, drawn grey
     std::string scale_title = {};
-    double ceiling = 1;                 // end of the colour scale; higher values are drawn in its last colour
+    double ceiling = 1;                 // end of the colour scale; higher values are drawn in the last colour
     std::string no_answer_legend = {};  // appears when a value is not finite
 };
 
@@ -88,7 +89,7 @@ struct Arrows {
 
 using Series = std::variant<Line, Points, Region, Boxes, HeatMap, Arrows>;
 
-constexpr double text_height = 19;  // px, so that it stays legible on a phone of half the width of a figure
+constexpr double text_height = 19;  // px; legible on a phone that shows the figure at half its width
 
 struct Label {
     enum class Align { left, centre, right };
@@ -96,9 +97,9 @@ struct Label {
     std::string text = {};
     Align align = Align::left;
     Colour colour = Colour::black;
-    double raise = 0;   // moves the text up by so many letter heights
-    bool boxed = true;  // on a white ground, where lines cross behind it
-    double size = 1;    // of the figure's text
+    double raise = 0;   // moves the text up by this many letter heights
+    bool boxed = true;  // on a white background, where lines cross behind it
+    double size = 1;    // relative to the figure's text
 };
 
 struct Arrow {
@@ -111,8 +112,8 @@ struct Arrow {
 struct Axis {
     std::string title = {};
     std::string unit = {};                                   // empty for a ratio
-    std::optional<std::pair<double, double>> range = {};     // absent: from the data
-    std::vector<std::pair<double, std::string>> ticks = {};  // absent: gnuplot's own
+    std::optional<std::pair<double, double>> range = {};     // absent: set by the data
+    std::vector<std::pair<double, std::string>> ticks = {};  // absent: set by gnuplot
     bool grid = true;
 };
 
@@ -123,8 +124,8 @@ struct Figure {
     std::vector<Series> series = {};  // drawn in this order
     std::vector<Label> labels = {};
     std::vector<Arrow> arrows = {};
-    bool equal_scales = false;  // one metre is as long upwards as it is sideways
-    bool frame = true;          // false: neither border nor axes, for what brings its own
+    bool equal_scales = false;  // one metre is as long vertically as horizontally
+    bool frame = true;          // false: neither border nor axes, for drawings that have their own
     int width = 640;            // px
     int height = 450;           // px, without the legend, which is added below
 };
@@ -132,46 +133,47 @@ struct Figure {
 // Adds the line if it has points.
 void add_line(Figure& figure, Line line);
 
-// The gnuplot script: settings, data and plot command, drawn to <name>.svg and <name>.png in the working folder.
-// Independent of the locale. A figure without one finite number becomes an empty frame that says so.
+// The gnuplot script: settings, data and plot command, drawn to <name>.svg and <name>.png in the working folder. It
+// does not depend on the locale. A figure without any finite number becomes an empty frame that says so.
 std::string gnuplot_script(const Figure& figure, std::string_view name);
 
 enum class FigureStatus {
     ok,
     gnuplot_missing,  // no gnuplot in PATH; the script was written
-    gnuplot_failed,   // gnuplot refused the script or left unusable pictures; the script was written
+    gnuplot_failed,   // gnuplot rejected the script or left unusable pictures; the script was written
     cannot_write,     // the folder or a file in it could not be written
 };
 
 struct FigureFiles {
     FigureStatus status = FigureStatus::cannot_write;
-    std::string message = {};  // for a reader, one line; empty when ok and gnuplot had nothing to remark
+    std::string message = {};  // one line for the reader; empty if ok and gnuplot gave no message
     std::filesystem::path script = {};
     std::filesystem::path svg = {};
     std::filesystem::path png = {};
-    std::optional<OutputError> write_error = {};  // where the status is cannot_write
+    std::optional<OutputError> write_error = {};  // if the status is cannot_write
 };
 
-// Writes <name>.gp into `folder` (created when missing) and has gnuplot draw <name>.svg and <name>.png from it. What
-// can go wrong outside is a status, because a figure is never worth an analysis. Pictures of an earlier run are removed
-// when they cannot be replaced. `name` consists of letters, digits, '_' and '-'; std::invalid_argument otherwise.
+// Writes <name>.gp into `folder` (created if missing) and runs gnuplot to draw <name>.svg and <name>.png from it.
+// Failures of the system and of gnuplot are statuses, because an analysis must never fail for a figure. Pictures of an
+// earlier run are removed if they cannot be replaced. `name` consists of letters, digits, '_' and '-'; otherwise
+// std::invalid_argument is thrown.
 FigureFiles write_figure(const Figure& figure, const std::filesystem::path& folder, const std::string& name);
 
-// Removes what processes that were killed while gnuplot drew have left in a folder of figures. Nobody else may draw
-// there meanwhile.
+// Removes the files that processes killed during a run of gnuplot have left in a folder of figures. No other process
+// may draw there at the same time.
 void remove_abandoned_drawings(const std::filesystem::path& folder);
 
-// Shared by the runs of gnuplot of one command: where one did not end in time, the next figures get their scripts only.
-// A command with dozens of figures would wait for each of them.
+// Shared by the runs of gnuplot of one command. After one that did not end in time the next figures only get scripts,
+// since a command with dozens of figures would otherwise wait for each of them.
 struct GnuplotRuns {
-    std::chrono::seconds time_limit{60};  // of one run, which takes a fraction of a second
-    std::string none_because = {};        // gnuplot is not run any more, in words; empty: it is
+    std::chrono::seconds time_limit{60};  // of one run, which usually takes a fraction of a second
+    std::string none_because = {};        // the reason why gnuplot is not run any more; empty: it is run
 };
 
 FigureFiles write_figure(const Figure& figure, const std::filesystem::path& folder, const std::string& name,
                          GnuplotRuns& runs);
 
-// The same for a script made elsewhere; it has to draw <name>.svg and <name>.png in its working folder.
+// Writes and draws a script made elsewhere; it has to draw <name>.svg and <name>.png in its working folder.
 FigureFiles write_script_and_draw(const std::string& script, const std::filesystem::path& folder,
                                   const std::string& name, GnuplotRuns& runs);
 

@@ -12,7 +12,7 @@ namespace delabole {
 namespace {
 
 Rectangle place_of(const Label& label, double px_per_unit) {
-    constexpr double mean_letter = 0.58 * text_height;  // px across
+    constexpr double mean_letter = 0.58 * text_height;  // mean width of a letter, px
     const double width = label.size * mean_letter * static_cast<double>(letter_count(label.text)) / px_per_unit;
     const double height = label.size * 1.1 * text_height / px_per_unit;
     const double share = label.align == Label::Align::left ? 0 : label.align == Label::Align::centre ? 0.5 : 1;
@@ -45,7 +45,7 @@ double hidden(const Rectangle& text, const Series& series) {
 }
 
 double disturbance(const Label& label, double px_per_unit, const Figure& figure) {
-    constexpr double never = 1000;  // more than all that a text may hide
+    constexpr double never = 1000;  // greater than the sum of all items that a text can hide
     const Rectangle text = place_of(label, px_per_unit);
     double sum = within(text, figure) ? 0 : never;
     for (const Label& other : figure.labels) {

@@ -1,5 +1,5 @@
-// The only file that sees gnuplot-iostream, which is slow to compile: it formats the data rows, into a string instead
-// of a pipe, because a broken pipe would kill the process and a script can be reviewed.
+// The only file that includes gnuplot-iostream, which is slow to compile. It formats the data rows into a string
+// instead of a pipe: a broken pipe would end the process, and a script can be reviewed.
 #include "plots/drawing/gnuplot_words.hpp"
 
 #include <gnuplot-iostream.h>
@@ -31,8 +31,8 @@ int point_type(Marker marker) {
     return types[static_cast<std::size_t>(marker)];
 }
 
-// Single quotes, within which gnuplot expands neither back-quoted commands nor macros. A line break has to be joined
-// on, and so has a single quote: doubled, as gnuplot documents it, it is a syntax error at the beginning of a text.
+// In single quotes gnuplot expands neither back-quoted commands nor macros. Line breaks have to be added in double
+// quotes. So do single quotes: doubled, as gnuplot documents it, they are a syntax error at the beginning of a text.
 std::string quote(std::string_view text) {
     std::string result = "'";
     for (const char letter : text) {
@@ -49,7 +49,7 @@ std::string quote(std::string_view text) {
     return result + "'";
 }
 
-// A tick's text is a format to gnuplot.
+// gnuplot interprets the text of a tick as a format, in which a percent sign has to be doubled.
 std::string quote_tick(std::string_view text) {
     std::string doubled;
     for (const char letter : text) {
@@ -73,7 +73,7 @@ std::string data_lines(const Rows& rows) {
     std::ostringstream stream;
     stream.imbue(std::locale::classic());
     stream.precision(12);
-    // Not send1d, which appends an "e" that has no place in a named data block.
+    // send1d is not used, because it appends an "e" that a named data block must not have.
     gnuplotio::top_level_array_sender(stream, rows, gnuplotio::Mode1D(), gnuplotio::ModeText());
     return stream.str();
 }

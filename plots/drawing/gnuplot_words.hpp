@@ -13,10 +13,10 @@ std::string_view rgb(Colour colour);
 std::string_view dash_type(Dash dash);
 int point_type(Marker marker);
 
-// A string that gnuplot takes as it stands.
+// A string that gnuplot uses unchanged.
 std::string quote(std::string_view text);
 
-// The same for the text of a tick, which gnuplot takes for a format.
+// The same for the text of a tick, which gnuplot interprets as a format.
 std::string quote_tick(std::string_view text);
 
 // 1, 2 or 5 times a power of ten, so that at most `most` steps lie within `size`. size > 0, most > 0.

@@ -1,4 +1,4 @@
-// Outlines and lines: where a text finds room in or beside them. Outlines need not repeat their first point.
+// Outlines and lines, used to find room for a text in or beside them. Outlines need not repeat their first point.
 #pragma once
 
 #include "geometry/polygon.hpp"
@@ -6,13 +6,13 @@
 
 namespace delabole {
 
-// Length of the level (axis 0) or upright (axis 1) chord of a polygon through a point; 0 outside.
+// Length of the horizontal (axis 0) or vertical (axis 1) chord of a polygon through a point; 0 outside.
 double chord(const Polyline& outline, const Point& through, int axis);
 
 // The outline with its first point repeated.
 Polyline closed(Polyline outline);
 
-// The line moved up.
+// The line, moved upwards.
 Polyline raised(Polyline line, double height);
 
 struct Rectangle {

@@ -37,7 +37,7 @@ struct SpawnSettings {
     SpawnSettings& operator=(const SpawnSettings&) = delete;
 };
 
-// 0 and a process id, or the error of the system.
+// Returns 0 and the id of the process, or the error of the system.
 int spawn(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& folder, int output,
           pid_t& child) {
     SpawnSettings settings;
@@ -46,8 +46,8 @@ int spawn(const fs::path& program, const std::vector<std::string>& arguments, co
     posix_spawn_file_actions_adddup2(&settings.actions, output, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&settings.actions, output, STDERR_FILENO);
 
-    // Signals that the caller ignores or blocks must not stay so in the child: an ignored SIGPIPE or a blocked SIGINT
-    // would make it unstoppable.
+    // Signals that the caller ignores or blocks must not remain so in the child: with an ignored SIGPIPE or a blocked
+    // SIGINT it could not be stopped.
     sigset_t none;
     sigset_t defaults;
     sigemptyset(&none);
@@ -57,7 +57,8 @@ int spawn(const fs::path& program, const std::vector<std::string>& arguments, co
     }
     posix_spawnattr_setsigmask(&settings.attributes, &none);
     posix_spawnattr_setsigdefault(&settings.attributes, &defaults);
-    // In a process group of its own: Ctrl-C is for the caller, who may want to finish the picture it is drawing.
+    // The program runs in its own process group, so that Ctrl-C reaches only the caller, which may let the picture be
+    // finished.
     posix_spawnattr_setpgroup(&settings.attributes, 0);
     posix_spawnattr_setflags(&settings.attributes,
                              POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
@@ -73,7 +74,7 @@ int spawn(const fs::path& program, const std::vector<std::string>& arguments, co
     return posix_spawn(&child, program.c_str(), &settings.actions, &settings.attributes, pointers.data(), environ);
 }
 
-// Reads until the other end closes. False when the deadline came first.
+// Reads until the other end closes. False if the deadline came first.
 bool drain(int descriptor, std::string& output, std::chrono::steady_clock::time_point deadline) {
     constexpr std::size_t most_kept = 65'536;
     std::array<char, 4096> buffer;

@@ -1,4 +1,4 @@
-// Running another program without a shell.
+// Runs another program without a shell.
 #pragma once
 
 #include <chrono>
@@ -10,19 +10,19 @@
 
 namespace delabole {
 
-// The first executable of that name in the folders of the environment variable PATH, as an absolute path; empty
-// entries of PATH are passed over.
+// The first executable of that name in the folders of the environment variable PATH, as an absolute path; empty entries
+// of PATH are ignored.
 std::optional<std::filesystem::path> find_program(std::string_view name);
 
 struct ProcessResult {
     bool succeeded = false;  // ran, and ended by itself with exit code 0
     bool timed_out = false;  // killed at the time limit
-    std::string problem;     // why it did not succeed: "exit code 1", "stopped by signal 9"; empty otherwise
-    std::string output;      // what it wrote to standard output and standard error, at most 64 KiB of it
+    std::string problem;     // the cause of failure: "exit code 1", "stopped by signal 9"; otherwise empty
+    std::string output;      // first 64 KiB of its standard output and standard error
 };
 
-// Runs `program` with `arguments` in `folder`, with empty standard input, and waits for its end; it is killed after
-// `time_limit`. Never throws for what the program does, and never raises a signal in the caller.
+// Runs `program` with `arguments` in `folder`, with empty standard input, and waits for its end; after `time_limit` it
+// is killed. No failure of the program throws an exception or raises a signal in the caller.
 ProcessResult run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder, std::chrono::seconds time_limit);
 

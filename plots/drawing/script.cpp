@@ -18,7 +18,7 @@ constexpr double legend_sample = 44;                // px, with the space before
 constexpr double legend_gap = 22;                   // px, between entries
 constexpr double legend_line = 1.35 * text_height;  // px
 constexpr int digits_of_data = 12;
-constexpr int digits_of_pixels = 6;  // as the pictures have them
+constexpr int digits_of_pixels = 6;  // as in the pictures
 
 Rows rows_of(const Polyline& points, bool keep_gaps) {
     constexpr double gap = std::numeric_limits<double>::quiet_NaN();
@@ -80,12 +80,12 @@ class ScriptWriter {
         plot_ << (plot_.tellp() > 0 ? ", \\\n     " : "") << "$series_" << blocks_ << ' ' << how;
     }
 
-    // A series as it is shown and named below the plot.
+    // A series as it is shown and named in the legend below the plot.
     struct LegendEntry {
         enum class Sample { line, arrow, marker, area } sample;
         std::string text;
         std::string style;
-        double left = 0;  // px, and the row from above
+        double left = 0;  // px; the row is counted from above
         int row = 0;
     };
 
@@ -95,16 +95,16 @@ class ScriptWriter {
         }
     }
 
-    // Entries follow each other as words do, each as wide as its text: gnuplot's own key has columns, which are all as
-    // wide as the longest text and differ between terminals.
+    // Entries follow each other like words, each as wide as its text. gnuplot's own key is not used: its columns are
+    // all as wide as the longest text and differ between terminals.
     void lay_out_legend() {
         std::size_t longest = 0;
         for (const LegendEntry& entry : legend_) {
             longest = std::max(longest, letter_count(entry.text));
         }
-        constexpr double letter = 0.6;  // of the height, in the wider of the two terminals
+        constexpr double letter = 0.6;  // of the height, in the terminal with the wider letters
         const double room = figure_.width - 2 * legend_gap;
-        // A long text in smaller letters rather than over the edge.
+        // A long text is written in smaller letters, so that it does not extend beyond the edge.
         legend_height_ = std::clamp((room - legend_sample - legend_gap) / (letter * static_cast<double>(longest)), 11.0,
                                     text_height);
         double left = 0;
@@ -134,10 +134,10 @@ class ScriptWriter {
     // The canvas grows with the legend, so that the plot keeps its size.
     int canvas_height() const { return figure_.height + legend_space(); }
 
-    // Set again for each terminal, whose markers differ in size.
+    // Written anew for each terminal, because their markers differ in size.
     std::string legend_commands() const {
         std::ostringstream commands = classic_stream(digits_of_pixels);
-        int tag = 1000;  // apart from labels and arrows of the figure
+        int tag = 1000;  // distinct from the labels and arrows of the figure
         for (const LegendEntry& entry : legend_) {
             const auto at = [&](double right, double up) {
                 const double y = legend_space() - (entry.row + 0.5) * legend_line + up;
@@ -180,8 +180,8 @@ class ScriptWriter {
         }
         include(rows);
         const std::string look = words(" dashtype ", dash_type(line.dash), " linecolor rgb ", rgb(line.colour));
-        // gnuplot draws samples of one width and colour in one path of an SVG, and with the dashes of the first: a
-        // difference in width that nobody sees keeps them apart.
+        // gnuplot draws samples of equal width and colour as one path of an SVG, with the dashes of the first. A
+        // difference in width that cannot be seen keeps them separate.
         constexpr double apart = 0.001;
         const double sample_width = line.width + apart * static_cast<double>(legend_.size() + 1);
         note_legend(LegendEntry::Sample::line, line.legend, "nohead " + words("linewidth ", sample_width) + look);
@@ -268,14 +268,14 @@ class ScriptWriter {
         const double half_line = 0.5 * (map.y_values[1] - map.y_values[0]);
         include({{map.x_values.front() - half_column, map.y_values.front() - half_line},
                  {map.x_values.back() + half_column, map.y_values.back() + half_line}});
-        // YlGnBu of Brewer's colour schemes: light to dark for every kind of colour vision, and in black and white
+        // YlGnBu of Brewer's colour schemes: from light to dark for every kind of colour vision, and in black and white
         // print.
         script_ << "set palette defined (0 '#ffffd9', 1 '#edf8b1', 2 '#c7e9b4', 3 '#7fcdbb', 4 '#41b6c4', 5 '#1d91c0', "
                    "6 '#225ea8')\nset cbrange [0:"
                 << map.ceiling << "]\nset cbtics " << tick_step(map.ceiling, 6) << "\nset cblabel "
                 << quote(map.scale_title) << "\n";
         if (gaps) {
-            // The image is transparent where it has no value.
+            // The image is transparent where it has no value, so this background shows through.
             const std::string style = words("fillcolor rgb ", rgb(Colour::light_grey), " fillstyle solid noborder");
             script_ << "set object 1 rectangle from graph 0,0 to graph 1,1 behind " << style << "\n";
             note_legend(LegendEntry::Sample::area, map.no_answer_legend, style);
@@ -298,7 +298,7 @@ class ScriptWriter {
         }
     }
 
-    // Of the x axis below the plot, px: numbers, or names in lines, and the title.
+    // Height of the x axis below the plot, px: numbers, or names of several lines, and the title.
     double axis_height() const {
         if (!figure_.frame) {
             return 12;
@@ -313,7 +313,7 @@ class ScriptWriter {
         return figure_.x.title.empty() ? std::max(of_one_line, 2 * line + further) : of_one_line + further;
     }
 
-    // Lines of about equal length, as many as the width asks for.
+    // Breaks the title into lines of about equal length; the width of the figure sets their number.
     std::string title_lines() const {
         const auto across = static_cast<std::size_t>(std::max(10.0, (figure_.width - 60) / mean_letter_width));
         const std::size_t letters = letter_count(figure_.title);
@@ -406,7 +406,7 @@ class ScriptWriter {
         script_ << " dynamic noenhanced font 'sans-serif," << text_height << "' background rgb 'white'\n"
                 << "set output '" << name_ << ".svg'\nmarker = 0.6\n"
                 << legend_commands() << "plot " << (plot_.tellp() == 0 ? "NaN" : plot_.str()) << "\n";
-        // Twice the size, for print. Its letters are measured in points of 4/3 px.
+        // The picture has twice the size, for print. Its letters are measured in points of 4/3 px.
         terminal("pngcairo", 2);
         script_ << " noenhanced font 'sans," << text_height
                 << "' fontscale 1.5 linewidth 2 pointscale 2 background rgb 'white'\n"
@@ -422,7 +422,7 @@ class ScriptWriter {
     Extent x_extent_;
     Extent y_extent_;
     std::vector<LegendEntry> legend_;
-    double legend_height_ = text_height;  // px, of its letters
+    double legend_height_ = text_height;  // px, of the letters in the legend
     int legend_rows_ = 0;
     int blocks_ = 0;
 };

@@ -102,7 +102,7 @@ void prefix_references(std::string& value, std::string_view id_prefix) {
     }
 }
 
-// False when the attribute has to go.
+// False if the attribute has to be removed.
 bool keep_attribute(Attribute& attribute, std::string_view id_prefix) {
     const std::string name = lower_case(attribute.name);
     if (name.starts_with("on")) {
@@ -114,7 +114,7 @@ bool keep_attribute(Attribute& attribute, std::string_view id_prefix) {
         if (attribute.value.starts_with('#')) {
             attribute.value.insert(1, id_prefix);
         } else if (!attribute.value.starts_with("data:image/")) {
-            return false;  // the page asks nothing of anyone
+            return false;  // the page must not load anything
         }
     }
     prefix_references(attribute.value, id_prefix);
@@ -131,7 +131,8 @@ std::string written(const Tag& tag) {
     return text + (tag.self_closing ? "/>" : ">");
 }
 
-// Text of these is not drawn: scripts are unwanted, gnuplot's titles ("gnuplot_plot_1") would show as tool tips.
+// Elements whose text is removed: scripts are unwanted, and gnuplot's titles ("gnuplot_plot_1") would show as tool
+// tips.
 bool dropped(const std::string& name) {
     const std::string lower = lower_case(name);
     return lower == "script" || lower == "title" || lower == "desc" || lower == "foreignobject";

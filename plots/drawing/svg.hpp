@@ -1,4 +1,4 @@
-// Putting several gnuplot SVG files into one page.
+// Puts several SVG files of gnuplot into one page.
 #pragma once
 
 #include <string>
@@ -6,12 +6,13 @@
 
 namespace delabole {
 
-// The <svg> element of a file, fit to stand inside an HTML page beside others: without XML declaration, scripts, event
-// handlers and gnuplot's own titles, every id (and every reference to it) preceded by `id_prefix`, as wide as its place
-// allows, and named `description` to those who cannot see it. Empty when `file` holds no complete <svg> element.
+// The <svg> element of a file, changed so that it can stand beside others in an HTML page: without XML declaration,
+// scripts, event handlers and gnuplot's own titles; with `id_prefix` before every id and every reference to it; as wide
+// as its place allows; and with `description` as its name for screen readers. Empty if `file` holds no complete <svg>
+// element.
 std::string inline_svg(std::string_view file, std::string_view id_prefix, std::string_view description);
 
-// & < > " ' as HTML entities; control characters, which no page may hold, as spaces (line breaks stay).
+// Replaces & < > " ' by HTML entities, and control characters, which no page may hold, by spaces (line breaks stay).
 std::string escape_html(std::string_view text);
 
 }  // namespace delabole

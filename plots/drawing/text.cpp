@@ -85,7 +85,7 @@ std::string human_number(double value, int significant_digits) {
     std::ostringstream stream;
     stream.imbue(std::locale::classic());
     stream.precision(significant_digits);
-    // Thousands are written out, rounded to as many digits, where the stream would go over to an exponent.
+    // Where the stream would use an exponent, thousands are written out, rounded to the same number of digits.
     constexpr double most_written_out = 1e7;
     const double place = std::pow(10, std::floor(std::log10(std::max(std::abs(value), 1.0))) + 1 - significant_digits);
     const double rounded = std::round(value / place) * place;

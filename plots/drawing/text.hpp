@@ -8,16 +8,16 @@
 
 namespace delabole {
 
-// Characters, not bytes.
+// Number of characters, not of bytes.
 std::size_t letter_count(std::string_view text);
 
-// Line breaks instead of spaces, so that no line has more than `letters` characters unless a single word has.
+// Replaces spaces by line breaks, so that no line has more than `letters` characters, except for a longer single word.
 std::string wrapped(std::string_view text, std::size_t letters);
 
 // "strength.friction_angle" -> "strength: friction angle".
 std::string human_name(std::string_view name);
 
-// The text with a capital letter first, as a sentence begins.
+// The text with its first letter capitalised, as at the beginning of a sentence.
 std::string capitalised(std::string text);
 
 // The words for a value of an enum, given for all of them in their order.
@@ -30,7 +30,8 @@ std::string words_for(Enum value, const char* const (&words)[count]) {
 // "kN/m3" -> "kN/m³".
 std::string human_unit(std::string_view unit);
 
-// Number in the classic locale with so many significant digits, without trailing zeros; "none" for NaN, "infinite".
+// A number in the classic locale with at most that many significant digits and no trailing zeros; "none" for NaN,
+// "infinite".
 std::string human_number(double value, int significant_digits);
 
 }  // namespace delabole

@@ -15,7 +15,7 @@ namespace delabole {
 
 namespace {
 
-// Numbers of blocks, not of halves of blocks.
+// Ticks at whole numbers of blocks.
 std::vector<std::pair<double, std::string>> block_ticks(const Extent& blocks) {
     constexpr int most = 16;
     const double step = std::max(1.0, tick_step(std::max(blocks.size(), 1.0), most));
@@ -26,7 +26,7 @@ std::vector<std::pair<double, std::string>> block_ticks(const Extent& blocks) {
     return ticks;
 }
 
-// One band for each run of blocks in the same mode, half a block beyond the last of them.
+// A band for each run of blocks in the same mode, from half a block before the first to half a block behind the last.
 void shade_modes(const ForceAlongSlope& data, std::pair<double, double> height, Figure& figure) {
     const std::size_t count = std::min(data.block.size(), data.modes.size());
     for (const DrawnMode mode : drawn_modes) {
@@ -51,11 +51,11 @@ void shade_modes(const ForceAlongSlope& data, std::pair<double, double> height, 
     }
 }
 
-// Where a text of this size (in the units of the axes) has most room in a region, away from the marks; none where it
-// does not fit.
+// The place in a region with the most room for a text of this size (in the units of the axes), away from the marks;
+// nothing if the text does not fit.
 std::optional<Point> widest_place(const Polyline& outline, const Polyline& marks, const Point& text) {
     constexpr int steps = 40;
-    // Lengths are in units of the text, which is a square of side 1 then.
+    // Lengths are divided by the size of the text, which thereby becomes a square of side 1.
     Polyline edge;
     for (const Point& corner : outline) {
         if (corner.allFinite()) {
@@ -89,7 +89,7 @@ std::optional<Point> widest_place(const Polyline& outline, const Polyline& marks
     return best;
 }
 
-// States in words, for readers of a black and white copy.
+// Writes the names of the modes into their regions, for readers of a black and white copy.
 void name_regions(const ModeChart& chart, Figure& figure) {
     constexpr double letter_width = 0.55 * 19;  // px
     constexpr double line_height = 1.2 * 19;    // px

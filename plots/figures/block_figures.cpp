@@ -20,17 +20,17 @@ namespace {
 
 constexpr double plot_width = 620;            // px
 constexpr double greatest_plot_height = 680;  // px
-// Length of the arrow of the greatest force, px.
+// Length of the arrow of the greatest force, px; less if the blocks are closer together.
 constexpr double longest_arrow = 85;
 constexpr double shortest_arrow = 40;
-// The least length of an arrow: a shorter one would hide behind its head.
+// Least length of an arrow; a shorter one would be hidden by its head.
 constexpr double visible_arrow = 18;
 
 double metres_per_px(const Frame& frame) {
     return std::max(frame.x.size() / plot_width, frame.y.size() / greatest_plot_height);
 }
 
-// Moves a drawing to its elevation and leaves out what cannot be drawn.
+// Moves a drawing to its elevation and removes what cannot be drawn.
 BlockDrawing prepared(BlockDrawing drawing) {
     const auto prepare = [&](Polyline& line) {
         std::erase_if(line, [](const Point& point) { return !point.allFinite(); });
@@ -99,7 +99,7 @@ class BlockPicture {
             std::back_inserter(figure_.labels));
         figure_.x.range = std::pair{frame_.x.lowest, frame_.x.highest};
         figure_.y.range = std::pair{frame_.y.lowest, frame_.y.highest};
-        // A title of two lines and the axis take about 165 px of the height.
+        // A title of two lines and the axis need about 165 px of the height.
         figure_.height = static_cast<int>(std::max(frame_.y.size() / metres_per_px_, 150.0)) + 165;
         return std::move(figure_);
     }
@@ -109,8 +109,7 @@ class BlockPicture {
         return {&drawing_.base, &drawing_.ground, &drawing_.water, &drawing_.tension_crack};
     }
 
-    // The scale of the forces follows from the picture without them, which they may then enlarge.
-    // A base may reach far beyond what stands on it: no more of it is shown than surroundings.
+    // A base may extend far beyond the blocks on it; only the part within the surroundings of the free blocks is shown.
     void include_fixed_blocks() {
         constexpr double surroundings = 0.5;  // of the extent of the free blocks
         const Frame free = frame_;
@@ -130,6 +129,7 @@ class BlockPicture {
         }
     }
 
+    // The scale of the forces follows from the frame without them; their arrows may then enlarge the frame.
     void measure() {
         for (const DrawnBlock& block : drawing_.blocks) {
             if (block.mode != DrawnMode::fixed) {
@@ -170,10 +170,10 @@ class BlockPicture {
         }
         const double margin = 0.06 * std::max(frame_.x.size(), frame_.y.size());
         frame_.y = {frame_.y.lowest - margin, frame_.y.highest + margin};
-        // A surface is cut off at the side of the frame.
+        // The lines of the base and the ground are cut off at the sides of the frame.
         frame_.x = {frame_.x.lowest - (surface.lowest > frame_.x.lowest ? margin : 0),
                     frame_.x.highest + (surface.highest < frame_.x.highest ? margin : 0)};
-        // A single slender block still has an axis wide enough for its numbers.
+        // The axis must be wide enough for its numbers even for a single slender block.
         const double widening = 0.5 * (0.6 * frame_.y.size() - frame_.x.size());
         if (widening > 0) {
             frame_.x = {frame_.x.lowest - widening, frame_.x.highest + widening};
@@ -181,7 +181,8 @@ class BlockPicture {
         metres_per_px_ = metres_per_px(frame_);
     }
 
-    // Little more than the spacing of the blocks, m, so that the arrows of neighbours do not run into one chain.
+    // About one and a half times the spacing of the blocks, m, so that the arrows of neighbours do not join into a
+    // chain.
     double greatest_arrow() const {
         std::vector<double> spacing;
         for (std::size_t index = 1; index < drawing_.blocks.size(); ++index) {
@@ -195,8 +196,8 @@ class BlockPicture {
                           longest_arrow * metres_per_px(frame_));
     }
 
-    // Whether the heads of arrows would cover the blocks: with less than the square of a head and its surroundings for
-    // each.
+    // Whether the heads of arrows would cover the blocks: if there is less area for each force than the square of a
+    // head and its surroundings.
     bool as_chains() {
         constexpr double least_area = 22 * 22;  // px2
         double area = 0;
@@ -215,7 +216,7 @@ class BlockPicture {
         return true;
     }
 
-    // The shaft of an arrow, or of a link of a chain: through the contact, as long as a block is wide.
+    // The shaft of an arrow, or a link of a chain: through the contact, as long as a block is wide.
     Arrows::Shaft shaft_of(const DrawnForce& force) const {
         if (chains_) {
             const Point half = 0.5 * block_size_ * force.force.normalized();
@@ -257,7 +258,7 @@ class BlockPicture {
                             [&](const Arrows::Shaft& velocity) { return crosses(place, velocity.from, velocity.to); });
     }
 
-    // The key stands in a corner where nothing is drawn, otherwise above everything.
+    // The key stands in a corner that is free of blocks, lines and forces, or else above everything.
     void place_force_key() {
         if (!(greatest_force_ > 0)) {
             return;
@@ -337,7 +338,7 @@ class BlockPicture {
             displaced.push_back(closed(block.displaced));
         }
         std::erase_if(displaced, [](const Polyline& outline) { return outline.empty(); });
-        // Chains run along joints and are to be seen on them.
+        // Outlines are thin if there are chains, which run along the joints and have to be seen.
         add_line(figure_, {.points = broken_line(outlines),
                            .colour = chains_ ? Colour::grey : Colour::black,
                            .width = chains_ ? 0.6 : 1.2});
@@ -356,7 +357,7 @@ class BlockPicture {
         const Polyline& water = drawing_.water;
         add_line(figure_, {.points = water, .legend = "water level", .colour = Colour::blue});
         if (!water.empty()) {
-            // The label stands in the middle, off the toe with its small blocks.
+            // The label stands in the middle of the line, away from the small blocks at the toe.
             const std::size_t index = (water.size() - 1) / 2;
             figure_.labels.push_back({.at = 0.5 * (water[index] + water[std::min(index + 1, water.size() - 1)]),
                                       .text = "▽",
@@ -376,7 +377,7 @@ class BlockPicture {
             for (const auto& [kind, colour] : kinds) {
                 add_chains(kind, colour);
             }
-            // Not a line: of one with a single stretch gnuplot cuts the end aslant.
+            // The key is a region, because gnuplot cuts the end of a line with a single segment at an angle.
             const Point half(0, 0.5 * chain_width(key_force_) * metres_per_px_);
             figure_.series.emplace_back(
                 Region{.outline = {key_.from - half, key_.to - half, key_.to + half, key_.from + half},
@@ -400,12 +401,12 @@ class BlockPicture {
         }
     }
 
-    // px; of the greatest force a good part of a block.
+    // px; the line of the greatest force is almost as wide as a block.
     double chain_width(double force) const {
         return std::clamp(0.9 * block_size_ / metres_per_px_, 4.0, 12.0) * force / greatest_force_;
     }
 
-    // A line has one width: forces are sorted into as many as the eye can tell apart.
+    // A line has one width, so the forces are sorted into classes, as many as the eye can distinguish.
     void add_chains(ForceKind kind, Colour colour) {
         constexpr std::size_t widths = 24;
         std::array<std::vector<Polyline>, widths> links;
@@ -416,7 +417,7 @@ class BlockPicture {
                 links[std::min(static_cast<std::size_t>(share * widths), widths - 1)].push_back({shaft.from, shaft.to});
             }
         }
-        // The thickest last, which is the one that the legend shows.
+        // The thickest class of each kind is the one that the legend shows.
         const auto thickest =
             std::find_if(links.rbegin(), links.rend(), [](const auto& lines) { return !lines.empty(); });
         for (std::size_t number = 0; number < widths; ++number) {
@@ -437,7 +438,7 @@ class BlockPicture {
     double least_arrow_ = 0;     // m
     double greatest_force_ = 0;  // N/m
     bool chains_ = false;
-    double block_size_ = 0;  // m, of the middling free block, where forces are chains
+    double block_size_ = 0;  // m, of the average free block, if forces are drawn as chains
     double key_force_ = 0;   // N/m
     Arrows::Shaft key_ = {};
     Point key_end_ = {};  // of its text

@@ -17,18 +17,17 @@ namespace delabole {
 
 enum class DrawnMode { plain, stays, slides, topples, slides_and_topples, moves, held_by_corners, fixed };
 
-// The words of the legend; a plain block has none.
+// The words in the legend; a plain block has no word.
 constexpr std::array<std::string_view, 8> enum_names(DrawnMode) {
     return {"", "stays", "slides", "topples", "slides and topples", "moves", "held by corners", "fixed"};
 }
 
 struct DrawnBlock {
-    Polyline outline = {};  // corners in order, either way round; the first need not be repeated
+    Polyline outline = {};  // corners in order, clockwise or anticlockwise; the first need not be repeated
     std::string label = {};
     DrawnMode mode = DrawnMode::plain;
-    std::optional<std::size_t> rock = {};  // number among the drawing's rocks, whose shade the block has; absent: the
-                                           // mode's
-    Polyline displaced = {};               // the outline after the displacement shown; empty: none
+    std::optional<std::size_t> rock = {};  // index of the rock whose shade the block has; absent: that of its mode
+    Polyline displaced = {};               // the outline after the displacement; empty: not shown
 };
 
 enum class ForceKind { interblock, base_reaction, thrust, applied, weight, required };
@@ -49,7 +48,7 @@ struct DrawnCrack {
     Point to;
 };
 
-// Whatever is empty is left out, and so are forces of zero or not finite.
+// Empty members are not drawn, nor are forces that are zero or not finite.
 struct BlockDrawing {
     std::string title = {};
     std::vector<DrawnBlock> blocks = {};
@@ -61,23 +60,23 @@ struct BlockDrawing {
     std::vector<DrawnCrack> broken = {};       // rock that has broken
     std::vector<DrawnCrack> open_joints = {};  // joints that stand open
     std::vector<DrawnForce> forces = {};
-    Arrows velocities = {};  // to a scale of their own, of which the legend tells
+    Arrows velocities = {};  // to a scale of their own, stated in the legend
     std::string displaced_legend = "mechanism, displacements enlarged";
     double toe_elevation = 0;  // m; added to heights on the vertical axis
 };
 
-// Forces are drawn to one scale, the greatest about one and a half times as long as the blocks are apart; an arrow of a
-// round force beside the blocks is the key to it. The smallest are drawn longer than that, so that they can be seen. So
-// many that their heads would cover the blocks are drawn as force chains: lines through the points of contact along the
-// forces, as thick as the forces are great. Labels: see block_labels.
+// All forces have one scale, at which the greatest is about one and a half times as long as the spacing of the blocks;
+// an arrow of a round force is the key. Very small forces are drawn longer, so that they can be seen. If there are so
+// many that their heads would cover the blocks, they are drawn as force chains: lines through the points of contact in
+// the direction of the forces, with a width proportional to the force. For labels see block_labels.
 Figure block_figure(const BlockDrawing& drawing);
 
-// Interblock forces against the number of the block, N/m. Every column is empty or as long as `block`.
+// Interblock forces against the number of the block, N/m. Each of the vectors is empty or has the length of `block`.
 struct ForceAlongSlope {
     std::string title = {};
     std::vector<double> block = {};     // numbers, increasing
-    std::vector<double> toppling = {};  // least force that prevents toppling; not finite: none
-    std::vector<double> sliding = {};   // least force that prevents sliding; not finite: none
+    std::vector<double> toppling = {};  // least force that prevents toppling; not drawn if not finite
+    std::vector<double> sliding = {};   // least force that prevents sliding; not drawn if not finite
     std::vector<double> acting = {};
     std::vector<DrawnMode> modes = {};  // shades the background
     Polyline printed = {};              // (number of the block, N/m)
@@ -91,7 +90,7 @@ struct ModeRegion {
     Polyline outline = {};  // rad
 };
 
-// A chart of the mode that a block is in, over two angles.
+// A chart over two angles of the mode of a block.
 struct ModeChart {
     std::string title = {};
     std::string x = {};  // names of the angles: "base.dip"

@@ -22,7 +22,7 @@ struct Numeral {
     const DrawnBlock* block;
     Point at;
     double size;  // px
-    // The rule for labels where not all have room.
+    // Which labels remain if there is no room for all of them.
     enum class Thinned { counted, always, never } thinned;
 };
 
@@ -40,7 +40,7 @@ class BlockLabels {
         for (Numeral& numeral : shown) {
             numeral.at = every ? place_of(numeral) : numeral.at;
         }
-        // Where not all numbers have room, those few that cover no velocity would mean nothing.
+        // If there is no room for all numbers, the few that hide no velocity arrow would be of no use.
         std::erase_if(shown, [&](const Numeral& numeral) {
             return covers_velocity(place_of_text(numeral)) ||
                    (!every && !across_.velocities.empty() && numeral.block->mode != DrawnMode::fixed);
@@ -63,7 +63,7 @@ class BlockLabels {
                 .size = numeral.size / text_height};
     }
 
-    // Whether a fixed block is long and thin, as a base is.
+    // Whether a fixed block is long and thin, such as a base.
     bool bar(const DrawnBlock& block) const {
         if (block.mode != DrawnMode::fixed || block.label.empty()) {
             return false;
@@ -76,7 +76,7 @@ class BlockLabels {
         return length > 4 * thickness && length > 3 * smallest_label * metres_per_px_;
     }
 
-    // True where the text does not touch the outline.
+    // Whether the text does not touch the outline of the block.
     bool fits(const DrawnBlock& block, double size) const {
         const Numeral numeral{&block, centroid_of(block), size, Numeral::Thinned::always};
         return !crosses(widened(place_of_text(numeral)), closed(block.outline));
@@ -84,7 +84,7 @@ class BlockLabels {
 
     bool goes_beside(const DrawnBlock& block) const { return bar(block) && !fits(block, beside_size); }
 
-    // Places beside long thin blocks, where nothing else is drawn.
+    // Labels beside long thin blocks, at places where nothing else is drawn.
     std::vector<Numeral> beside(const std::vector<Numeral>& inside_blocks) const {
         std::vector<Numeral> taken = inside_blocks;
         std::vector<Numeral> result;
@@ -105,7 +105,7 @@ class BlockLabels {
         return result;
     }
 
-    // Places off the middle and the ends of its faces, those that look down first.
+    // Places next to the middle, the quarters and the ends of the block's faces; faces that point downwards come first.
     std::vector<Point> places_beside(const DrawnBlock& block) const {
         const Polyline edge = closed(block.outline);
         const double turn = area_properties(block.outline).area < 0 ? -1 : 1;
@@ -119,7 +119,7 @@ class BlockLabels {
             const Point half = 0.5 * text_size({&block, {}, beside_size, Numeral::Thinned::always});
             const double gap = 5 * metres_per_px_ + half.dot(outward.cwiseAbs());
             for (const double share : {0.5, 0.25, 0.75, 0.05, 0.95}) {
-                // Long faces before the short ones at the ends.
+                // Long faces come before the short ones at the ends of the block.
                 places.emplace_back(outward.y() - along.norm() / (along.norm() + half.norm()),
                                     edge[face - 1] + share * along + gap * outward);
             }
@@ -144,7 +144,7 @@ class BlockLabels {
                });
     }
 
-    // So that a text touches nothing.
+    // The text with a margin, so that it touches nothing.
     Rectangle widened(const Rectangle& text) const {
         const Point around = Point::Constant(2 * metres_per_px_);
         return {text.lowest - around, text.highest + around};
@@ -173,10 +173,11 @@ class BlockLabels {
         if (sizes.empty()) {
             return {};
         }
-        // One size for all, that of the smaller blocks; a few that are smaller still do not shrink the rest.
+        // All labels have the same size, that of the smaller blocks; the smallest quarter of the blocks does not reduce
+        // it.
         std::ranges::sort(sizes);
         const double common = std::clamp(sizes[sizes.size() / 4], smallest_label, text_height);
-        // Where most have room, those that have none would only hide their blocks.
+        // If most blocks have room for a label, the others have none, since it would only hide the block.
         if (sizes[sizes.size() / 2] >= smallest_label) {
             std::erase_if(numerals, [](const Numeral& numeral) { return numeral.size < smallest_label; });
         }
@@ -186,18 +187,18 @@ class BlockLabels {
         return numerals;
     }
 
-    // A little less high than a line, because numbers have no descenders.
+    // The height is a little less than that of a line, because numbers have no descenders.
     Point text_size(const Numeral& numeral) const {
         return metres_per_px_ *
                Point(letter_width * numeral.size * static_cast<double>(letter_count(numeral.block->label)),
                      0.85 * numeral.size);
     }
 
-    // Height of a text that stays within its block, px.
+    // Greatest height of a text that stays within its block, px.
     double fitting_size(const DrawnBlock& block) const {
         const Point at = centroid_of(block);
         if (bar(block)) {
-            // Chords along a sloping one are long, and the text touches its sides all the same.
+            // The chords of a sloping bar are long, and yet the text would touch its sides.
             return fits(block, text_height) ? text_height : beside_size;
         }
         const double letters = static_cast<double>(letter_count(block.label)) + 0.4;
@@ -205,7 +206,7 @@ class BlockLabels {
                metres_per_px_;
     }
 
-    // How much a text at this place hides or runs into.
+    // A measure of what a text at this place hides or crosses.
     double disturbance(const DrawnBlock& block, const Rectangle& text) const {
         const Point around = Point::Constant(4 * metres_per_px_);  // for the heads of the arrows
         const Rectangle wider{text.lowest - around, text.highest + around};
@@ -224,7 +225,7 @@ class BlockLabels {
         return sum;
     }
 
-    // The place in the block that is least disturbed, and of several such the one nearest to the centroid.
+    // The place in the block with the least disturbance, and the one nearest to the centroid among equal places.
     Point place_of(const Numeral& numeral) const {
         constexpr int steps = 16;
         const DrawnBlock& block = *numeral.block;
@@ -251,8 +252,8 @@ class BlockLabels {
         return best;
     }
 
-    // Keeps the numbers of the largest fixed blocks, as many as do not run into each other. What runs into these goes
-    // first.
+    // Keeps the numbers of the largest fixed blocks, as far as they do not overlap. Other labels that overlap these are
+    // removed before any are thinned out.
     void keep_fixed(std::vector<Numeral>& numerals) const {
         std::vector<Numeral*> fixed;
         for (Numeral& numeral : numerals) {
@@ -279,7 +280,7 @@ class BlockLabels {
         }
     }
 
-    // Keeps as many as do not run into each other.
+    // Keeps as many labels as do not overlap.
     std::vector<Numeral> thinned_out(const std::vector<Numeral>& numerals) const {
         std::vector<Numeral> shown = numerals;
         for (const std::size_t step : {2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
@@ -288,7 +289,7 @@ class BlockLabels {
             }
             shown.clear();
             for (std::size_t index = 0; index < numerals.size(); ++index) {
-                // 1, 3, 5, ..., but 1, 5, 10, ...
+                // 1, 3, 5, ... for step 2, otherwise 1, 5, 10, ...
                 const bool counts = step == 2 ? index % 2 == 0 : index == 0 || (index + 1) % step == 0;
                 const Numeral& numeral = numerals[index];
                 if (numeral.thinned == Numeral::Thinned::counted ? counts

@@ -1,4 +1,4 @@
-// Numbers of blocks, and the F of fixed ones, in a drawing of them.
+// Numbers of blocks, and the letter F of fixed blocks, in a drawing of them.
 #pragma once
 
 #include "plots/drawing/figure.hpp"
@@ -11,21 +11,21 @@ namespace delabole {
 
 constexpr double letter_width = 0.66;  // of the height of the text
 
-// Positions in the units of the blocks' outlines.
+// In the coordinates of the block's outline.
 Point centroid_of(const DrawnBlock& block);
 
-// Things that labels keep clear of besides outlines, and the frame that those beside a block stay in.
+// Items that labels must not hide, besides outlines, and the frame within which labels beside a block stay.
 struct DrawnAcrossBlocks {
     Polyline water = {};
     std::vector<Arrows::Shaft> arrows = {};
-    std::vector<Arrows::Shaft> velocities = {};  // never covered: rather no label
+    std::vector<Arrows::Shaft> velocities = {};  // never hidden: a label that would hide one is left out
     Rectangle frame;
 };
 
-// A label is in its block, off what is drawn across it, and no larger than the block has room for; a block too small
-// for any goes without, unless most are. A long fixed block, as a thin base is, has its label beside it then, below if
-// possible. Where labels would run into each other, every second, fifth, tenth, ... is left, always with the first, and
-// with those of fixed blocks, the largest ones first.
+// A label stands inside its block, away from other drawn items, and is no larger than the block allows. A block that is
+// too small for a label has none, unless most blocks are too small. A long thin fixed block, such as a base, has its
+// label beside it, below if possible. If labels would overlap, only the first and every second, fifth, tenth, ...
+// remain, and those of fixed blocks, the largest ones first.
 std::vector<Label> block_labels(const std::vector<DrawnBlock>& blocks, const DrawnAcrossBlocks& across,
                                 double metres_per_px);
 

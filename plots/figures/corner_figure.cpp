@@ -1,5 +1,5 @@
-// All panels stand in one drawing whose unit is the distance from panel to panel: that of row i and column j has its
-// lower left corner at (j, rows - 1 - i).
+// All panels stand in one drawing whose unit is the distance from panel to panel: the lower left corner of the panel in
+// row i and column j is at (j, rows - 1 - i).
 #include "fitting/work/words.hpp"
 #include "plots/drawing/contour.hpp"
 #include "plots/drawing/text.hpp"
@@ -22,14 +22,14 @@ namespace delabole {
 
 namespace {
 
-constexpr double panel = 0.74;  // side of a panel; the rest holds titles and numbers
+constexpr double panel = 0.74;  // side of a panel; the rest of the unit holds titles and numbers
 constexpr std::size_t most_parameters_drawn = 6;
 
 struct Shown {
     const FreeParameter* parameter;
     std::size_t index;  // among the parameters of the fit
     Dimension dimension;
-    Interval range;              // SI, of its panels
+    Interval range;              // SI, of the axes of its panels
     std::vector<double> values;  // of the draws
 
     double scaled(double value) const { return panel * (value - range.lower) / (range.upper - range.lower); }
@@ -104,7 +104,7 @@ void add_ticks(const Shown& shown, const Point& corner, bool below, Figure& figu
     }
 }
 
-// Density of the prior but for a constant; flat without one.
+// Density of the prior up to a constant; flat without a prior.
 double prior_density(const FreeParameter& parameter, double value) {
     if (!parameter.prior) {
         return 1;
@@ -113,7 +113,7 @@ double prior_density(const FreeParameter& parameter, double value) {
     return std::exp(-z * z / 2);
 }
 
-// Integral of the prior, per SI unit.
+// Integral of prior_density() over the range, for values in SI.
 double prior_integral(const FreeParameter& parameter) {
     if (!parameter.prior) {
         return parameter.upper - parameter.lower;
@@ -167,7 +167,8 @@ struct Density {
     Eigen::MatrixXd values;      // values(row, column) at y(row), x(column)
 };
 
-// Kernel estimate with the draws' own covariance, so that a ridge is smoothed along itself rather than across.
+// Kernel density estimate with the covariance of the draws, so that a ridge is smoothed along its own direction and not
+// across it.
 Density density_of(const Shown& x, const Shown& y) {
     constexpr int side = 56;
     constexpr std::size_t most = 1200;
@@ -179,10 +180,10 @@ Density density_of(const Shown& x, const Shown& y) {
     }
     const Eigen::Vector2d mean = points.rowwise().mean();
     const Eigen::MatrixXd centred = points.colwise() - mean;
-    // Scott's rule, n^(-1/6), narrowed: it is meant for normal distributions, which do not bend.
+    // Scott's rule, n^(-1/6), made narrower because it is meant for normal distributions, which are not curved.
     const double narrowing = 0.7 * std::pow(static_cast<double>(count), -1.0 / 6);
     Eigen::Matrix2d kernel = narrowing * narrowing * (centred * centred.transpose()) / static_cast<double>(count);
-    kernel.diagonal().array() += 1e-5;  // no narrower than the grid can show
+    kernel.diagonal().array() += 1e-5;  // not narrower than the grid can show
     const Eigen::Matrix2d factor = Eigen::LLT<Eigen::Matrix2d>(kernel).matrixL();
     const Eigen::Matrix2d inverse = factor.inverse();
     const Eigen::MatrixXd whitened = inverse * points;
@@ -200,7 +201,7 @@ Density density_of(const Shown& x, const Shown& y) {
     return density;
 }
 
-// Values not below this hold the share of the whole.
+// The level that encloses the given share of the whole.
 double level_of(const Eigen::MatrixXd& values, double share) {
     std::vector<double> sorted(values.reshaped().begin(), values.reshaped().end());
     std::sort(sorted.begin(), sorted.end(), std::greater<>());
@@ -267,7 +268,7 @@ void add_pair(const MechanismFit& fit, const Shown& x, const Shown& y, const Poi
     }
 }
 
-// Each legend once, though every panel brings it.
+// Keeps each legend once, although every panel adds it.
 void drop_repeated_legends(Figure& figure) {
     std::vector<std::string> seen;
     for (Series& series : figure.series) {
@@ -306,7 +307,7 @@ std::optional<Figure> posterior_corner_figure(const MechanismFit& fit) {
         add_marginal(shown[row], diagonal, fit.best[shown[row].index], figure);
         add_frame(diagonal, figure);
         const std::string title = title_of(shown[row]);
-        // A text of several lines grows downwards from where it is put.
+        // A text of several lines extends downwards from its position.
         const auto lines = static_cast<double>(1 + std::count(title.begin(), title.end(), '\n'));
         figure.labels.push_back({.at = diagonal + Point(panel / 2, panel - 0.03 + 0.085 * lines),
                                  .text = title,

@@ -16,7 +16,7 @@ constexpr std::array curve_colours{Colour::blue,   Colour::vermilion, Colour::gr
                                    Colour::purple, Colour::orange,    Colour::black};
 constexpr std::array curve_dashes{Dash::solid, Dash::dashed, Dash::dotted};
 
-// Neighbours differ in colour and in dash, so that the figure survives a black and white copy.
+// Neighbouring curves differ in colour and dash, so that a black and white copy can be read.
 Line curve_line(const NamedCurve& curve, std::size_t index, double x_unit, double y_unit) {
     Line line{.points = curve.points,
               .legend = curve.legend,
@@ -29,7 +29,7 @@ Line curve_line(const NamedCurve& curve, std::size_t index, double x_unit, doubl
     return line;
 }
 
-// Gives each curve its legend as a text on it, one further along than the other, none beyond the curves' ends.
+// Labels each curve with its legend, at a different place along each curve but within its ends.
 void label_curves(std::vector<Line>& lines, Figure& figure) {
     for (std::size_t index = 0; index < lines.size(); ++index) {
         Line& line = lines[index];
@@ -44,7 +44,7 @@ void label_curves(std::vector<Line>& lines, Figure& figure) {
     }
 }
 
-// Keeps a number and its unit on one line.
+// Joins a number and its unit by a no-break space.
 std::string unbroken(std::string_view text) {
     std::string result;
     for (const char letter : text) {
@@ -112,7 +112,8 @@ Figure factor_of_safety_against_water(const WaterDepthCurves& data) {
     for (const PrintedStatement& statement : data.statements) {
         shown.include(statement.at.y());
     }
-    // Room for the marks' letters; zero is part of the picture, because distance to failure is what is judged.
+    // The range leaves room for the letters of the marks, and includes zero, because the distance to failure is to be
+    // judged.
     figure.y.range = std::pair{std::min(0.0, shown.lowest), shown.highest + 0.08 * shown.size() + 0.05};
     return figure;
 }
@@ -168,7 +169,7 @@ Figure failure_locus_figure(const FailureLoci& data) {
                 Region{.outline = {{left, bottom}, {right, bottom}, {right, upper}, {left, upper}},
                        .legend = range.legend,
                        .colour = colour});
-        } else {  // a single value
+        } else {  // all values are equal
             figure.series.emplace_back(
                 Line{.points = {{left, bottom}, {right, upper}}, .legend = range.legend, .colour = colour, .width = 5});
         }
@@ -222,10 +223,11 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
     set_rows(figure, bars.size(), 130, 74);
     if (!bars.empty()) {
         figure.series.emplace_back(Line{.points = {{0, 0.4}, {0, figure.y.range->second}}, .width = 1.5});
-        // Room for the numbers at the bars' ends; the names of the inputs leave the bars about so many pixels.
+        // Leaves room for the numbers at the bars' ends; the names of the inputs leave about this many pixels for the
+        // bars.
         constexpr double plot_width = 380;
         constexpr double letter_width = 13;
-        std::array<double, 2> room{};  // below and above zero, of the width
+        std::array<double, 2> room{};  // below and above zero, as a share of the width
         for (std::size_t index = 0; index < bars.size(); ++index) {
             const double letters = 1.5 + static_cast<double>(letter_count(figure.labels[index].text));
             double& side = room[bars[index].effect < 0 ? 0 : 1];
@@ -254,8 +256,8 @@ Figure critical_figure(const CriticalSearchDrawing& drawing) {
                                         .width = 1.5});
     }
     if (drawing.critical.allFinite()) {
-        // Towards the limits of the geometry the factor of safety grows beyond all bounds; near the least one it
-        // matters.
+        // Towards the limits of the geometry the factor of safety increases without bound, but the values near the
+        // least one matter.
         const double least = drawing.critical.y();
         const double top = std::min(bounds.y.highest, std::max(2.0, 4 * least));
         if (top > least) {

@@ -1,6 +1,6 @@
-// The figures of a plane-failure analysis, from plain numbers.
+// The figures of a plane-failure analysis, drawn from plain numbers.
 //
-// Lengths in metres; everything that has a Dimension is given in SI base units and drawn in its display unit.
+// Lengths in metres; values that have a Dimension are given in SI base units and drawn in its display unit.
 #pragma once
 
 #include "parameters/fields.hpp"
@@ -17,7 +17,7 @@ namespace delabole {
 // A dashed line at a height.
 Line level_line(double from, double to, double height, std::string legend, Colour colour);
 
-// Rows of bars on the vertical axis, the lowest at 1: a range for that many, and a height of the figure, px.
+// Sets the vertical axis for that many rows of bars, the lowest at 1, and the height of the figure, px.
 void set_rows(Figure& figure, std::size_t rows, int around, int height_of_row);
 
 // "strength.friction_angle" and an angle give the axis "strength: friction angle (deg)".
@@ -28,8 +28,8 @@ struct NamedCurve {
     Polyline points = {};
 };
 
-// Pressure normal to a surface, drawn as a shaded diagram on the right-hand side of the surface walked from its first
-// to its last point: below a failure plane walked upwards from the toe.
+// Pressure normal to a surface, drawn as a shaded diagram on the right-hand side of the surface in the direction from
+// its first to its last point; that is below a failure plane given upwards from the toe.
 struct PressureDiagram {
     Polyline surface = {};
     std::vector<double> pressure = {};  // Pa, >= 0, one per point of the surface
@@ -40,16 +40,16 @@ struct LevelMark {
     std::string text = {};
 };
 
-// An arrow with its text at the tip. The greatest force of a section has the longest arrow, those of less than a third
-// of it one of a third.
+// An arrow with its text at the tip. The greatest force of a section has the longest arrow; forces of less than a third
+// of it have an arrow of a third of that length.
 struct SectionForce {
     Point at;         // the arrow's tail
     Point direction;  // of unit length
-    double force;     // N/m; 0 or less: not drawn
+    double force;     // N/m; not drawn unless positive
     std::string text = {};
 };
 
-// A dimension between two points.
+// A dimension line between two points.
 struct Measure {
     Point from;
     Point to;
@@ -58,13 +58,13 @@ struct Measure {
 
 void add_measure(const Measure& measure, Figure& figure);
 
-// A text at the first of its places where it hides nothing.
+// A text, put at the first of its places where it hides nothing.
 struct SectionNote {
     std::vector<LabelPlace> places = {};
     std::string text = {};
 };
 
-// A section, origin at the toe, x into the slope, y up, m. Whatever is empty is left out.
+// A section: origin at the toe, x into the slope, y up, m. Empty members are not drawn.
 struct SectionDrawing {
     std::string title = {};
     Polyline ground = {};          // before the failure, from in front of the toe to behind the crest
@@ -90,20 +90,20 @@ struct PrintedStatement {
     Point at;
 };
 
-// `x_unit`, `y_unit`: SI per unit of the figure's axes.
+// `x_unit` and `y_unit` are the SI values of one unit of the figure's axes.
 void mark_statements(const std::vector<PrintedStatement>& statements, double x_unit, double y_unit, Figure& figure);
 
 // Factor of safety against depth of water over depth of crack, one curve for each cohesion.
 struct WaterDepthCurves {
     std::string title = {};
-    std::string ratio = "filled ratio of the water level";  // what x is
+    std::string ratio = "filled ratio of the water level";  // title of the x axis
     std::vector<NamedCurve> curves = {};                    // x: that ratio, from 0 to 1; y: factor of safety
     std::vector<PrintedStatement> statements = {};          // in the same axes
 };
 
 Figure factor_of_safety_against_water(const WaterDepthCurves& data);
 
-// The range that a laboratory measured; an absent one leaves that direction open.
+// The range measured in a laboratory; a parameter without a range is not limited.
 struct LaboratoryRange {
     std::string legend = {};
     std::optional<Interval> friction_angle = {};  // rad
@@ -115,14 +115,14 @@ struct FailureLoci {
     std::string title = {};
     std::vector<NamedCurve> loci = {};  // x: friction angle, rad; y: cohesion, Pa
     std::vector<LaboratoryRange> laboratory = {};
-    std::optional<Point> given = {};  // of the slope itself, likewise
+    std::optional<Point> given = {};  // of the slope itself, in the same axes
 };
 
 Figure failure_locus_figure(const FailureLoci& data);
 
 struct SensitivityBar {
     std::string name = {};    // of the input
-    std::string change = {};  // what it was changed by: "+1 deg"
+    std::string change = {};  // the change of the input: "+1 deg"
     double effect;            // signed change of the factor of safety
 };
 
@@ -135,7 +135,7 @@ struct CriticalSearchDrawing {
     std::string quantity = {};  // "failure_plane.dip"
     Dimension dimension;
     std::vector<NamedCurve> curves = {};  // x: the quantity, SI; y: factor of safety
-    Point critical;                       // in the same axes; not finite: none was found
+    Point critical;                       // in the same axes; not finite if none was found
 };
 
 Figure critical_figure(const CriticalSearchDrawing& drawing);

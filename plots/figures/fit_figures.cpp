@@ -53,7 +53,7 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
     return values;
 }
 
-// Points of the locus in the axes of the map, whichever way round the locus names them.
+// Points of the locus in the axes of the map, which may be exchanged with respect to those of the locus.
 std::optional<Polyline> locus_in_map(const FailureLocus& locus, const MisfitMap& map, const Point& unit) {
     const bool same = locus.x == map.x && locus.y == map.y;
     const bool swapped = locus.x == map.y && locus.y == map.x;
@@ -87,7 +87,7 @@ void add_minima(const MechanismFit& fit, const MisfitMap& map, const Point& unit
             points.points.push_back(Point(cluster.parameters[*x], cluster.parameters[*y]).cwiseQuotient(unit));
         }
     }
-    // A white rim, because the marks lie on light and on dark ground.
+    // The marks have a white rim, because they lie on both light and dark ground.
     for (const Points* points : {&others, &best}) {
         figure.series.emplace_back(Points{.points = points->points,
                                           .colour = Colour::white,
@@ -98,7 +98,7 @@ void add_minima(const MechanismFit& fit, const MisfitMap& map, const Point& unit
     figure.series.emplace_back(std::move(best));
 }
 
-// Height of a profile above a place along the ground; not a number beyond its ends.
+// Height of a profile at a place along the ground; NaN beyond its ends.
 double height_at(const Polyline& profile, double x) {
     for (std::size_t index = 1; index < profile.size(); ++index) {
         const Point& left = profile[index - 1];
@@ -111,10 +111,11 @@ double height_at(const Polyline& profile, double x) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-// Between the 2.5 and 97.5 % quantiles of the heights that the posterior's draws predict; empty where they agree.
+// Band between the 2.5 and 97.5 % quantiles of the heights that the posterior's draws predict; empty if it would be too
+// narrow to see.
 Polyline prediction_band(const MechanismPosterior& posterior, double end) {
     constexpr int places = 120;
-    constexpr double seen = 0.05;  // m
+    constexpr double seen = 0.05;  // m, the least visible width
     Polyline lower;
     Polyline upper;
     double widest = 0;
@@ -160,7 +161,8 @@ std::optional<Figure> misfit_map_figure(const MechanismFit& fit) {
     const double lowest = std::min(least(map.misfit), fit.minima.empty() ? least(map.misfit) : fit.minima[0].misfit);
     const std::vector<double> x_values = scaled(map.x_values, unit.x());
     const std::vector<double> y_values = scaled(map.y_values, unit.y());
-    // Three times the 95 % level: enough of the surroundings, and the region itself keeps a third of the colours.
+    // The colour scale ends at three times the 95 % level, which shows enough of the surroundings and leaves a third of
+    // the colours to the region itself.
     figure.series.emplace_back(HeatMap{.x_values = x_values,
                                        .y_values = y_values,
                                        .values = map.misfit.array() - lowest,
@@ -179,7 +181,7 @@ std::optional<Figure> misfit_map_figure(const MechanismFit& fit) {
         }
     }
     add_minima(fit, map, unit, figure);
-    // The locus may reach beyond the map.
+    // The locus may extend beyond the map.
     if (x_values.size() > 1 && y_values.size() > 1) {
         const double half_column = 0.5 * (x_values[1] - x_values[0]);
         const double half_line = 0.5 * (y_values[1] - y_values[0]);
@@ -194,7 +196,7 @@ std::optional<Figure> profile_likelihood_figure(const MechanismFit& fit, std::st
     const double unit = unit_of(dimension);
     Figure figure{.title = fit.title, .x = axis_of(parameter, dimension), .y = {.title = "misfit above its least"}};
 
-    // Where the interval ends matters; how badly the rest fits does not.
+    // The axis ends here, because only the ends of the interval matter and not the misfit far from them.
     constexpr double top = 3 * level_95;
     double left = std::numeric_limits<double>::infinity();
     double right = -left;
@@ -216,7 +218,7 @@ std::optional<Figure> profile_likelihood_figure(const MechanismFit& fit, std::st
             left = std::min(left, profile.values[index] / unit);
             right = std::max(right, profile.values[index] / unit);
         }
-        // An interval that stops at the bound of the parameter has no end there.
+        // An interval that is cut off by the bound of the parameter has no end there.
         for (const double end : {profile.interval_95.lower, profile.interval_95.upper}) {
             if (!profile.values.empty() && end > profile.values.front() && end < profile.values.back()) {
                 ends.points.emplace_back(end / unit, level_95);
@@ -261,7 +263,7 @@ std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult
             continue;
         }
         Polyline points = raised(fit.prediction.profile, toe_elevation);
-        // The level ground far behind tells nothing.
+        // The level ground far behind the crest shows nothing and is left out.
         while (points.size() > 2 && points[points.size() - 2].x() > 2 * end) {
             points.pop_back();
         }

@@ -15,7 +15,7 @@ namespace delabole {
 
 namespace {
 
-constexpr std::size_t letters_of_candidate = 26;  // in a line beside a bar
+constexpr std::size_t letters_of_candidate = 26;  // in one line beside a bar
 constexpr std::array input_colours{Colour::blue, Colour::orange,    Colour::green, Colour::purple,
                                    Colour::sky,  Colour::vermilion, Colour::grey,  Colour::rock};
 
@@ -27,7 +27,7 @@ double greatest_reduction(const CandidateInformation& candidate) {
     return greatest;
 }
 
-// How few and how many of `count` uniform ranks one of ten bars has with 95 %.
+// Bounds that hold, with 95 % probability, the number of `count` uniform ranks in one of ten bars.
 std::pair<double, double> usual_bar(int count) {
     const auto quantile = [&](double probability) {
         unsigned hits = 0;

@@ -1,4 +1,4 @@
-// How the figures tell the modes of failure apart: in colour, and in lightness on a black and white copy.
+// Styles by which figures distinguish the modes of failure: in colour, and by lightness on a black and white copy.
 #pragma once
 
 #include "plots/figures/block_figures.hpp"

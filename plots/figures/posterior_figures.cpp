@@ -86,7 +86,7 @@ std::optional<Figure> evidence_figure(const FitResult& result) {
         figure.series.emplace_back(std::move(part));
     }
     figure.series.insert(figure.series.end(), errors.begin(), errors.end());
-    figure.x.range = std::pair{1.22 * extent.lowest, 0.0};  // room for the number at the end of the longest
+    figure.x.range = std::pair{1.22 * extent.lowest, 0.0};  // leaves room for the number at the end of the longest bar
     set_rows(figure, fits.size(), 130, 70);
     return figure;
 }
@@ -105,7 +105,7 @@ std::optional<Figure> evidence_dependence_figure(const FitResult& result) {
                       .size = 1.8};
         for (std::size_t index = 0; index < fit.posterior->evidences.size(); ++index) {
             const VariantEvidence& variant = fit.posterior->evidences[index];
-            // They stand beside each other, for they often agree.
+            // The marks are placed next to each other, because they often agree.
             constexpr double apart = 0.12;
             const double place = static_cast<double>(index) + apart * static_cast<double>(count);
             const double value = fit.posterior->log_evidence(variant.evidence, true);
@@ -152,7 +152,7 @@ std::optional<Figure> chain_agreement_figure(const FitResult& result) {
             for (const std::vector<RunningQuantiles>& parameter : running) {
                 worst = std::max(worst, parameter[length].r_hat);
             }
-            constexpr double least = 1e-4;  // below, agreement is chance
+            constexpr double least = 1e-4;  // smaller values of R-hat - 1 are chance
             line.points.emplace_back(running.front()[length].steps, std::log10(std::max(worst - 1, least)));
             longest = std::max(longest, line.points.back().x());
         }

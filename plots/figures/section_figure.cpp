@@ -13,7 +13,7 @@ namespace delabole {
 
 namespace {
 
-// Outline between the surface and the ends of the pressure arrows. `metres_per_pascal` scales them.
+// Outline between the surface and the ends of the pressure arrows, which are scaled by `metres_per_pascal`.
 Polyline pressure_outline(const PressureDiagram& diagram, double metres_per_pascal) {
     const Polyline& surface = diagram.surface;
     const std::size_t count = std::min(surface.size(), diagram.pressure.size());
@@ -40,7 +40,7 @@ double greatest_pressure(const SectionDrawing& drawing) {
     return greatest;
 }
 
-// One for each force that is drawn, in their order.
+// One shaft for each force that is drawn, in order.
 std::vector<Arrows::Shaft> force_shafts(const SectionDrawing& drawing) {
     constexpr double longest = 0.2;          // of the extent of the ground
     constexpr double least_share = 1.0 / 3;  // of the longest arrow
@@ -82,7 +82,7 @@ void add_forces(const SectionDrawing& drawing, const Point& raise, double px_per
                                                   {tip, Label::Align::right, beyond},
                                                   {tail, Label::Align::left, -beyond},
                                                   {tail, Label::Align::right, -beyond}};
-            // A force that points into the slope has its text in front of it.
+            // The text of a force that points into the slope stands in front of its tail.
             const Point& front = force.direction.x() > 0.7 ? tail : tip;
             const std::vector<LabelPlace> sideways{
                 {front, Label::Align::right, 0}, {front, Label::Align::right, 0.6}, {front, Label::Align::right, -0.6}};
@@ -109,7 +109,7 @@ Frame frame_of(const SectionDrawing& drawing) {
     for (const Arrows::Shaft& shaft : force_shafts(drawing)) {
         frame.include(Polyline{shaft.from, shaft.to});
     }
-    // Above there is room for the text of the highest level. The ground is cut off at the sides of the frame.
+    // The margin at the top is for the text of the highest level. The ground is cut off at the sides of the frame.
     const double margin = 0.12 * std::max(frame.size().maxCoeff(), 1e-9);
     const double side = drawing.ground.empty() ? margin : 0;
     return {{frame.x.lowest - side, frame.x.highest + side}, {frame.y.lowest - margin, frame.y.highest + margin}};

@@ -15,7 +15,7 @@ namespace delabole {
 
 namespace {
 
-constexpr std::size_t letters_of_name = 22;  // in a line beside a bar
+constexpr std::size_t letters_of_name = 22;  // in one line beside a bar
 
 double unit_of(const StudiedQuantity& quantity) {
     return display_unit(quantity.dimension).si_per_unit;
@@ -38,7 +38,7 @@ std::vector<std::size_t> largest_first(std::size_t count, const Value& value) {
     return order;
 }
 
-// One row of bars for each parameter, from the top down.
+// Position of the bar of a parameter; the first row is at the top.
 double row_position(std::size_t rows, std::size_t row) {
     return static_cast<double>(rows - row);
 }
@@ -53,7 +53,7 @@ std::pair<double, double> widened(const Extent& extent, double share) {
     return {extent.lowest - margin, extent.highest + margin};
 }
 
-// Powers of ten; 1, 2 and 5 of each, or all digits, where there are few of them. `from` and `to` are logarithms.
+// Labels powers of ten; for few decades also 2 and 5 of each, or all digits. `from` and `to` are logarithms.
 void set_sample_ticks(Axis& axis, double from, double to) {
     constexpr double some_decades = 2.5;
     constexpr double part_of_a_decade = 0.8;
@@ -96,7 +96,8 @@ Figure tornado_range_figure(const StudiedQuantity& quantity, const TornadoResult
     for (std::size_t row = 0; row < order.size(); ++row) {
         const TornadoBar& bar = result.bars[order[row]];
         const double position = row_position(order.size(), row);
-        // Both ends on one side of the middle, as where the quantity has a maximum there: one above the other.
+        // Both ends lie on one side of the middle, for example at a maximum of the quantity: the bars are drawn one
+        // above the other.
         const double at_low = bar.low.answer.value / unit;
         const double at_high = bar.high.answer.value / unit;
         const bool same_side = (at_low - middle) * (at_high - middle) > 0;
@@ -239,7 +240,7 @@ Figure histogram_figure(const StudiedQuantity& quantity, const PropagationResult
     Boxes fails{.legend = criterion ? limit_legend(quantity, *criterion) : "", .colour = Colour::vermilion};
     double highest = 0;
     for (const HistogramBin& bin : result.histogram) {
-        // A single value has a bar all the same.
+        // A bin of a single value still needs a bar of some width.
         const double half = bin.lower == bin.upper ? std::max(std::abs(bin.lower), unit) * 0.01 : 0;
         const double share = 100 * static_cast<double>(bin.samples) / static_cast<double>(result.with_value);
         const bool failed = criterion && criterion->failed((bin.lower + bin.upper) / 2);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
 
-// Sets differ in colour, in marker and in dash, so that a net survives a black and white copy.
+// Sets differ in colour, marker and dash, so that a black and white copy can be read.
 constexpr std::array set_colours{Colour::blue, Colour::vermilion, Colour::green, Colour::purple, Colour::orange};
 constexpr std::array set_markers{Marker::filled_circle, Marker::filled_triangle, Marker::filled_square,
                                  Marker::filled_diamond, Marker::cross};
@@ -43,7 +43,7 @@ Point on_primitive(double azimuth, double radius) {
     return {radius * std::sin(azimuth), radius * std::cos(azimuth)};
 }
 
-constexpr double margin = 1.17;  // of the net's radius: room for the azimuths around the primitive
+constexpr double margin = 1.17;  // of the net's radius; leaves room for the azimuths around the primitive circle
 
 Figure bare_circle(std::string title, int size) {
     return {.title = std::move(title),
@@ -59,7 +59,7 @@ Figure empty_net(std::string_view title, std::string_view shown) {
     return bare_circle(title.empty() ? std::string(shown) : std::string(title) + ": " + std::string(shown), 720);
 }
 
-// Primitive circle, ticks and azimuths: last, over everything that ends at the circle.
+// Adds primitive circle, ticks and azimuths; they come last, so that they cover everything that ends at the circle.
 void add_compass(Figure& figure, NetProjection projection) {
     figure.series.emplace_back(Line{.points = plunge_circle(0, projection, 361), .colour = Colour::black, .width = 2});
     std::vector<Polyline> ticks{{Point(-0.025, 0), Point(0.025, 0)}, {Point(0, -0.025), Point(0, 0.025)}};
@@ -86,12 +86,12 @@ void add_primitive(Figure& figure, NetProjection projection) {
                              .boxed = false});
 }
 
-// A text on the net.
+// Adds a text to the net at the place where it hides least.
 void add_name(Figure& figure, const std::vector<LabelPlace>& places, const std::string& text, Colour colour) {
     add_where_free(places, text, figure.width / (2 * margin), figure, colour);
 }
 
-// On its curve, near the middle.
+// Adds a text on its curve, near the middle.
 void add_name_along(Figure& figure, const Polyline& curve, const std::string& text, Colour colour) {
     std::vector<LabelPlace> places;
     for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
@@ -101,7 +101,7 @@ void add_name_along(Figure& figure, const Polyline& curve, const std::string& te
     add_name(figure, places, text, colour);
 }
 
-// Around a point.
+// Adds a text beside a point.
 void add_name_beside(Figure& figure, const Point& at, const std::string& text, Colour colour) {
     std::vector<LabelPlace> places;
     for (const double distance : {0.07, 0.16, 0.26}) {
@@ -157,7 +157,7 @@ struct CountedPoles {
     void add(const std::vector<Orientation>& planes, const std::vector<double>& own_weights, std::size_t most) {
         for (std::size_t index = 0; index < std::min(most, planes.size()); ++index) {
             const double weight = own_weights.empty() ? 1.0 : own_weights[index];
-            // Planes sampled without scatter are all the same.
+            // Planes sampled without scatter are all equal and give one pole.
             if (index > 0 && planes[index].dip == planes[index - 1].dip &&
                 planes[index].dip_direction == planes[index - 1].dip_direction) {
                 weights.back() += weight;
@@ -179,7 +179,8 @@ CountedPoles counted_poles(const StereonetDrawing& drawing) {
     return poles;
 }
 
-// At level, then what `next` makes of it, and so on up to the highest value; `legend` is told the levels.
+// Adds contours at `level`, then at next(level), and so on up to the highest value; `legend` makes the legend from the
+// list of levels.
 void add_contours(Figure& figure, const DensityGrid& grid, double level, double (*next)(double),
                   const std::function<std::string(const std::string& levels)>& legend) {
     double highest = 0;
@@ -255,7 +256,7 @@ void add_mean_poles(Figure& figure, const StereonetDrawing& drawing) {
     for (std::size_t index = 0; index < drawing.joint_set.size(); ++index) {
         const DrawnJointSet& set = drawing.joint_set[index];
         const Point pole = projected_pole(set.mean, drawing.projection);
-        // A white ground parts the mark from the poles around it.
+        // A white background separates the mark from the poles around it.
         figure.series.emplace_back(
             Points{.points = {pole}, .colour = Colour::white, .marker = of_set(set_markers, index), .size = 3});
         figure.series.emplace_back(Points{
@@ -288,7 +289,7 @@ std::string gathered_labels(const std::vector<DrawnIntersection>& intersections,
     return text;
 }
 
-// One label for lines that lie close together, above the highest of them.
+// Lines that lie close together have one label, above the highest of them.
 void add_intersection_labels(Figure& figure, const std::vector<DrawnIntersection>& intersections,
                              const Polyline& points) {
     constexpr double close = 0.15;  // of the net's radius, about the width of a label

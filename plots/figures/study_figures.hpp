@@ -1,4 +1,4 @@
-// Figures of back-analyses, of what a next measurement would tell, of recoveries, and of accuracy against cost.
+// Figures of back-analyses, of the expected information of measurements, of recoveries, and of accuracy against cost.
 #pragma once
 
 #include "fitting/mechanism/fit_result.hpp"
@@ -15,47 +15,47 @@
 namespace delabole {
 
 // Misfit above the least one over the plane of the first two free parameters, with the 68 and 95 % regions, the minima
-// of the starts and the locus of factor of safety 1. Nothing when the fit holds no map.
+// of the starts and the locus of factor of safety 1. Nothing if the fit holds no map.
 std::optional<Figure> misfit_map_figure(const MechanismFit& fit);
 
-// Least misfit above its minimum against the value of one free parameter, with and without priors, as far as the fit
-// holds them; the 68 and 95 % levels of chi-square with one degree of freedom, and the ends of the 95 % interval.
-// Returns nothing when the fit holds no profile of that parameter.
+// Least misfit above its minimum against the value of one free parameter, with and without priors if the fit holds
+// both; the 68 and 95 % levels of chi-square with one degree of freedom, and the ends of the 95 % interval. Nothing if
+// the fit holds no profile of that parameter.
 std::optional<Figure> profile_likelihood_figure(const MechanismFit& fit, std::string_view parameter);
 
-// The profile left standing as observed and as each mechanism predicts it at its best point, with the band that 95 % of
-// the posterior's predictions keep to at each place, where it can be seen. Nothing when no profile was observed, or no
-// mechanism predicts one. `toe_elevation` is added to heights.
+// The observed profile and those that the mechanisms predict at their best points, with the band that holds 95 % of the
+// posterior's predictions at each place, if it is wide enough to be seen. Nothing if no profile was observed or
+// predicted. `toe_elevation` is added to heights.
 std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult& result, double toe_elevation);
 
 // "flat priors", "half the model error".
 std::string variant_in_words(EvidenceVariant variant);
 
-// The parts of the logarithm of each mechanism's evidence as bars to the left of 0, the shortest on top: misfit of
-// the best point, share of the prior that the data leave, data and field evidence about which it says nothing; the 95 %
-// interval of the sum where it can be seen.
+// The parts of the logarithm of each mechanism's evidence as bars to the left of 0, the shortest on top: misfit of the
+// best point, share of the prior that the data leave, and data and field evidence that the mechanism does not predict;
+// the 95 % interval of the sum if it is wide enough to be seen.
 std::optional<Figure> evidence_figure(const FitResult& result);
 
-// Logarithm of each mechanism's evidence, field evidence included, with priors and model error changed.
+// Logarithm of each mechanism's evidence, including field evidence, for changed priors and model errors.
 std::optional<Figure> evidence_dependence_figure(const FitResult& result);
 
-// The greatest R-hat of each mechanism's parameters over the length of its chains, with the limit.
+// The greatest R-hat of each mechanism's parameters against the length of its chains, with the limit.
 std::optional<Figure> chain_agreement_figure(const FitResult& result);
 
-// Median and 95 % interval of each parameter from the first steps of all chains, less the final median and in final
-// standard deviations.
+// Median and 95 % interval of each parameter from the first steps of all chains, relative to the final median and in
+// final standard deviations.
 std::optional<Figure> running_quantiles_figure(const MechanismFit& fit);
 
-// Each parameter's distribution over its prior on the diagonal, below it the 68 and 95 % regions of each pair over the
-// loci of factor of safety 1, with the best point. One panel for each; at most the first six free parameters.
+// The distribution of each parameter and its prior on the diagonal; below it the 68 and 95 % regions of each pair with
+// the locus of factor of safety 1 and the best point. At most the first six free parameters have panels.
 std::optional<Figure> posterior_corner_figure(const MechanismFit& fit);
 
-// Expected reduction of the standard deviation of each parameter by each candidate, over mechanisms, with two standard
-// errors either way; the candidate that tells most on top.
+// Expected reduction of the standard deviation of each parameter by each candidate, averaged over mechanisms, with two
+// standard errors either way; the candidate that tells most on top.
 Figure information_figure(const std::vector<CandidateInformation>& candidates);
 
-// How often the truth had each rank among the draws, a bar for a tenth of the ranks, with the band in which 95 % of the
-// bars of uniform ranks lie. One parameter of a recovery that has some.
+// Number of times that the truth had each rank among the draws, in bars of a tenth of the ranks, with the band that
+// holds 95 % of the bars if ranks are uniform. The recovery must have repetitions of that parameter.
 Figure rank_figure(const MechanismRecovery& recovery, const ParameterRecovery& parameter);
 
 // Shares of the 68 and 95 % intervals that held the truth, with their 95 % intervals.
@@ -73,8 +73,8 @@ struct TradeDrawing {
     std::string error = {};
     std::string error_unit = {};
     std::vector<TradeCloud> clouds = {};
-    Polyline front = {};    // from the cheapest on
-    double resolution = 0;  // least error that a setting can show; 0: none
+    Polyline front = {};    // by increasing cost
+    double resolution = 0;  // least error that can be measured; 0: none
     std::vector<Label> labels = {};
 };
 

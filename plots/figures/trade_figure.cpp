@@ -42,7 +42,7 @@ Polyline in_decades(const Polyline& points) {
     return result;
 }
 
-// A power of ten below 1 or above 1000 as such, everything else in digits.
+// Numbers from 0.001 to below 10 000 in digits, others as a power of ten.
 std::string tick_text(int mantissa, int decade) {
     const double value = mantissa * std::pow(10.0, decade);
     if (decade >= -3 && decade <= 3) {
@@ -51,7 +51,7 @@ std::string tick_text(int mantissa, int decade) {
     return std::to_string(mantissa) + "e" + std::to_string(decade);
 }
 
-// Whole decades, or 1, 2 and 5 of each where there are few of them.
+// Labels whole decades, or 1, 2 and 5 of each if there are few of them.
 void set_ticks(Axis& axis, double least, double greatest) {
     constexpr double room = 0.08;
     axis.range = {least - room, greatest + room};
@@ -66,7 +66,7 @@ void set_ticks(Axis& axis, double least, double greatest) {
     }
 }
 
-// The front at every cost: as good as the best that is no dearer.
+// The least error at each cost: that of the best setting that is no more expensive.
 Polyline staircase(const Polyline& front, double last_cost) {
     Polyline line;
     for (std::size_t index = 0; index < front.size(); ++index) {

@@ -13,7 +13,7 @@ namespace delabole {
 
 namespace {
 
-// Points of space on the picture: x to the right, y upwards, in metres across the line of sight.
+// Projection of points in space on the picture: x to the right, y upwards, in metres across the line of sight.
 class View {
   public:
     View(double azimuth, double elevation) {
@@ -38,7 +38,7 @@ class View {
 };
 
 View view_of(const WedgeDrawing& drawing) {
-    // Somewhat aside, so that face and upper surface do not look like one.
+    // The view is somewhat from the side, so that face and upper surface can be distinguished.
     return {drawing.face_dip_direction + degrees(25), degrees(28)};
 }
 
@@ -52,7 +52,8 @@ struct Slope {
     std::vector<Direction> upper;
 };
 
-// The face from some way below the origin to the crest, and the upper surface from there to some way behind the wedge.
+// The face from some distance below the origin to the crest, and the upper surface from the crest to some distance
+// behind the wedge.
 Slope slope_around(const WedgeDrawing& drawing) {
     const Direction crest = (drawing.crest_2 - drawing.crest_1).normalized();
     Direction down = drawing.face_normal.cross(crest).normalized();
@@ -96,7 +97,7 @@ void add_label(Figure& figure, const View& view, const Direction& at, std::strin
     figure.labels.push_back({.at = view(at), .text = std::move(text), .align = Label::Align::centre});
 }
 
-// Corners of the wedge's faces in the open air, the whole wedge moved by `shift`.
+// Corners of the wedge's faces that are in the open air, after the wedge has moved by `shift`.
 std::array<std::vector<Direction>, 2> open_faces(const WedgeDrawing& drawing, const Direction& shift) {
     return {std::vector<Direction>{shift, drawing.crest_1 + shift, drawing.crest_2 + shift},
             {drawing.crest_1 + shift, drawing.crack_1 + shift, drawing.crack_2 + shift, drawing.crest_2 + shift}};

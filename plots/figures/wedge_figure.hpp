@@ -8,8 +8,8 @@
 
 namespace delabole {
 
-// Corners in metres (east, north, up), the origin where the line of intersection comes out of the face. Without a crack
-// line_end, crack_1 and crack_2 are one point.
+// Corners in metres (east, north, up); the origin is the point where the line of intersection daylights in the face.
+// Without a tension crack line_end, crack_1 and crack_2 are the same point.
 struct WedgeDrawing {
     std::string title = {};
     double face_dip_direction;  // rad
@@ -21,13 +21,13 @@ struct WedgeDrawing {
     Direction crack_2;
     Direction line_end;
     bool cracked;
-    Direction sliding;  // unit vector; zero: none is drawn
+    Direction sliding;  // unit vector; zero: no arrow is drawn
 };
 
-// The wedge in the slope, edges inside the rock dashed.
+// The wedge in the slope, with the edges inside the rock dashed.
 Figure wedge_figure(const WedgeDrawing& drawing);
 
-// The same wedge slid out along its direction of sliding, with the planes that it leaves.
+// The same wedge after sliding along its direction of sliding, with the planes that it has left.
 Figure slid_wedge_figure(const WedgeDrawing& drawing);
 
 }  // namespace delabole

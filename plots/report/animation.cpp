@@ -17,20 +17,20 @@ namespace delabole {
 
 namespace {
 
-constexpr double width = 640;  // px, as of the other figures
+constexpr double width = 640;  // px, as in the other figures
 constexpr double greatest_height = 560;
 constexpr double strip = 64;       // below the scene, for scale bar and legend
-constexpr std::size_t many = 100;  // blocks, of which one line would leave little white
+constexpr std::size_t many = 100;  // blocks, above which lines are thinner so that they do not hide the colours
 constexpr double degree = std::numbers::pi / 180;
-constexpr double length_share = 1e-4;  // of the diagonal of what is seen
+constexpr double length_share = 1e-4;  // of the diagonal of the picture
 constexpr double angle_unit = 1e-4;    // rad
-// A block that has flown farther, or spun for longer, need not be followed.
+// In units of length_share and angle_unit: a block that has moved or rotated further is shown at this limit.
 constexpr double farthest = 1e7;
 
 constexpr int levels = 16;
 constexpr char absent = '-';
 
-// Light to dark, so that a black and white copy can be read as well.
+// Colours from light to dark, so that a black and white copy can be read as well.
 std::string colour_of(int level) {
     constexpr std::array<std::array<double, 3>, 4> stops{
         {{0xf7, 0xf1, 0xdc}, {0xfe, 0xc4, 0x4f}, {0xd9, 0x5f, 0x0e}, {0x7a, 0x1f, 0x05}}};
@@ -62,7 +62,7 @@ std::string fixed_point(double value, int decimals) {
     return text == "-0" ? "0" : text;
 }
 
-// The motion in the form in which the script reads it.
+// Encodes the motion in the form that the script reads.
 void append_number(std::string& text, int value) {
     constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     unsigned rest = (static_cast<unsigned>(std::abs(value)) << 1U) | (value < 0 ? 1U : 0U);
@@ -136,7 +136,8 @@ class Drawing {
         for (const AnimatedBar& bar : last.bars) {
             text += drawing_of(bar_state_of(bar), last.tilt);
         }
-        // Hides what lies below the scene, with some to spare for rounded pixels.
+        // A white rectangle hides whatever lies below the scene; it is somewhat higher than needed because pixels are
+        // rounded.
         text += "</g>\n<rect y=\"" + fixed_point(height_, 1) + "\" width=\"" + fixed_point(width, 0) + "\" height=\"" +
                 fixed_point(2 * strip, 0) + "\" fill=\"#fff\"/>\n";
         return text + scale_bar() + legend() + "</svg>\n";
@@ -153,7 +154,7 @@ class Drawing {
                std::to_string(frames) + " of " + std::to_string(frames);
     }
 
-    // Numbers and strings without quotes or markup only.
+    // The data hold only numbers and strings without quotes or markup.
     std::string json() const {
         const std::vector<std::size_t> moving = blocks_that_change();
         std::string times;
@@ -169,7 +170,7 @@ class Drawing {
             tilts += comma + fixed_point(finite_or_zero(frame.tilt) / degree, 4);
             for (std::size_t index = 0; index < moving.size(); ++index) {
                 const State state = state_of(frame, moving[index]);
-                // Nothing has to be known of a block that is not there.
+                // The position of an absent block does not matter; the last one known takes the least space.
                 const std::array<int, 3> pose = state.level == absent ? before[index] : state.pose;
                 for (std::size_t part = 0; part < 3; ++part) {
                     append_number(poses, pose[part] - before[index][part]);
@@ -213,7 +214,7 @@ class Drawing {
                frame.poses[block].displacement.allFinite() && std::isfinite(frame.poses[block].rotation);
     }
 
-    // Corners as they are seen, with gravity down.
+    // Includes the corners of a block as seen, with gravity down.
     void include(Frame& box, const AnimationFrame& frame, std::size_t block) const {
         const BlockPose& pose = frame.poses[block];
         for (const Point& corner : animation_.blocks[block].outline) {
@@ -222,8 +223,8 @@ class Drawing {
         }
     }
 
-    // The way of all free blocks, but not beyond the neighbourhood of the start: one that flies off shall not make the
-    // others specks.
+    // The picture holds all positions of the free blocks within half the extent of the initial scene around it: a block
+    // that flies further must not make all others tiny.
     void frame_scene() {
         Frame all;
         for (const AnimationFrame& frame : animation_.frames) {
@@ -260,7 +261,7 @@ class Drawing {
         }
     }
 
-    // px; the scene stands in the middle.
+    // px; the scene stands in the middle of the picture.
     Point on_paper(const Point& point) const {
         const double centre = (seen_.x.lowest + seen_.x.highest) / 2;
         return {width / 2 + (point.x() - centre) * scale_, (seen_.y.highest - point.y()) * scale_};
@@ -281,8 +282,8 @@ class Drawing {
                 digits[static_cast<std::size_t>(std::lround(shade * (levels - 1)))]};
     }
 
-    // The ends in tenths of a pixel, the force in shares of the greatest, and how it is: 0 whole, 1 yielded, 2 not
-    // shown.
+    // The ends of a bar in tenths of a pixel, its force as a share of the greatest, and its state: 0 intact, 1 yielded,
+    // 2 not shown.
     using BarState = std::array<int, 6>;
     static constexpr double force_steps = 10'000;
 
@@ -303,7 +304,7 @@ class Drawing {
                 bar.yielded ? 1 : 0};
     }
 
-    // As the script draws it.
+    // Must draw the bar as the script does.
     std::string drawing_of(const BarState& bar, double tilt) const {
         const auto& [x1, y1, x2, y2, force, how] = bar;
         const auto pixels = [](int tenths) { return fixed_point(tenths / 10.0, 1); };
@@ -311,7 +312,8 @@ class Drawing {
         const std::string kind = how == 1 ? " yielded" : "";
         std::string text = "<path class=\"bar" + kind + "\" d=\"M" + pixels(x1) + " " + pixels(y1) + "L" + pixels(x2) +
                            " " + pixels(y2) + "\"" + hidden + "/>";
-        // Towards the rock, which is in the picture; under a bar that rises there, over one that falls.
+        // The text extends towards the rock, which is inside the picture. It is below a bar that rises in that
+        // direction and above one that falls.
         const bool rises = turned(Point(x2 - x1, y1 - y2), finite_or_zero(tilt)).y() > 0;
         text += "<text class=\"force" + kind + "\" text-anchor=\"" + (x2 < x1 ? "end" : "start") + "\" dy=\"" +
                 (rises ? "22" : "-8") + "\" transform=\"translate(" + pixels(x1) + " " + pixels(y1) + ") rotate(" +
@@ -321,7 +323,7 @@ class Drawing {
         return text;
     }
 
-    // Blocks that differ in any way from the last frame, which is what the page shows at first.
+    // Blocks that differ in some frame from the last one, which the page shows first.
     std::vector<std::size_t> blocks_that_change() const {
         std::vector<std::size_t> result;
         for (std::size_t block = 0; block < animation_.blocks.size(); ++block) {
@@ -352,7 +354,7 @@ class Drawing {
             text += " display=\"none\"";
         }
         const int level = state.level == absent ? 0 : state.level <= '9' ? state.level - '0' : state.level - 'a' + 10;
-        // Set on the group, where the script changes it.
+        // The colour is set on the group, because the script changes it there.
         text += " fill=\"" + colour_of(level) + "\">";
         if (!drawn_[block]) {
             return text + "</g>\n";
@@ -372,7 +374,8 @@ class Drawing {
             text.append(" fill=\"").append(colour_of_fixed).append("\"");
         }
         text += "/>" + cracks_of(block);
-        // Letters a third of the block high, if they can be read so.
+        // The height of the letters is at most half that of the block; labels that would be too small to read are left
+        // out.
         constexpr double smallest = 7;
         constexpr double largest = 18;
         const auto letters = static_cast<double>(std::max<std::size_t>(letter_count(drawn.label), 1));
@@ -400,7 +403,7 @@ class Drawing {
         return text;
     }
 
-    // 1, 2 or 5 times a power of ten, at most a quarter of the width.
+    // A scale bar of 1, 2 or 5 times a power of ten, at most a quarter of the width.
     std::string scale_bar() const {
         const DisplayUnit unit = shown_unit(Dimension::length);
         const double scale = scale_ * unit.si_per_unit;

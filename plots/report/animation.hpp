@@ -1,7 +1,8 @@
-// Moving blocks inside a report: play, pause, step, scrub, speed and, when asked for, the blocks' labels. The last
-// frame is a plain SVG drawing, which stands there alone where no script runs and on paper.
+// Moving blocks inside a report, with controls for play, pause, single steps, position, speed and the blocks' labels.
+// The last frame is a plain SVG drawing, which is shown alone on paper and where no script runs.
 //
-// The scene is turned so that gravity points down. Positions are kept to 1e-4 of what is seen, rotations to 1e-4 rad.
+// The scene is rotated so that gravity points down. Positions are rounded to 1e-4 of the diagonal of the picture,
+// rotations to 1e-4 rad.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -12,31 +13,31 @@
 
 namespace delabole {
 
-// Drawn bold on a block, with which it goes, from a frame on.
+// A crack, drawn bold on a block and moving with it, from a given frame on.
 struct AnimatedCrack {
-    Point from;  // m, in the drawing
+    Point from;  // m, in the initial geometry
     Point to;
     std::size_t first_frame;
 };
 
 struct AnimatedBlock {
     Polyline outline =
-        {};  // m, in the drawing; with fewer than three corners or a number that is not finite: not shown
+        {};  // m, in the initial geometry; not shown with fewer than three corners or a number that is not finite
     std::string label = {};
     bool fixed = false;
     std::vector<AnimatedCrack> cracks = {};
 };
 
 struct BlockPose {
-    Point displacement = {0, 0};  // m, of the centroid since the drawing; not finite: the block is not shown
-    double rotation = 0;          // rad since the drawing, anticlockwise
-    double colour = 0;            // what it is coloured by, at least 0: its speed, displacement, ...
-    bool present = true;          // false: removed
+    Point displacement = {0, 0};  // m, of the centroid from its initial position; if not finite the block is not shown
+    double rotation = 0;          // rad, from the initial position, anticlockwise
+    double colour = 0;            // the value that sets its colour, at least 0: speed, displacement, ...
+    bool present = true;          // false: the block was removed
 };
 
-// A bar across joints in one frame, drawn with its force; marked where it has yielded.
+// A bar across joints in one frame, drawn with its force and marked if it has yielded.
 struct AnimatedBar {
-    Point from = {0, 0};  // m, where it is in that frame, in the axes of the drawing
+    Point from = {0, 0};  // m, in that frame, in the axes of the initial geometry
     Point to = {0, 0};
     double force = 0;  // in the unit of the animation, at least 0
     bool yielded = false;
@@ -45,9 +46,9 @@ struct AnimatedBar {
 
 struct AnimationFrame {
     double time = 0;                     // s, increasing
-    double tilt = 0;                     // rad, of the drawing's x axis, which dips towards -x
+    double tilt = 0;                     // rad, of the initial geometry's x axis, which dips towards -x
     std::vector<BlockPose> poses = {};   // as many as blocks
-    std::vector<AnimatedBar> bars = {};  // the same ones in each frame
+    std::vector<AnimatedBar> bars = {};  // the same bars in each frame
 };
 
 struct BlockAnimation {
@@ -60,9 +61,8 @@ struct BlockAnimation {
     std::string caption = {};
 };
 
-// The drawing, the controls (hidden until the script runs) and the data, for a page that holds animation_style and,
-// after all animations, animation_script (page.hpp). Without a frame or a block to show: a box that says
-// so.
+// The drawing, the controls (hidden until the script runs) and the data. The page has to hold animation_style and,
+// after all animations, animation_script (page.hpp). If there is no frame or no block to show, a box says so.
 std::string animation_html(const BlockAnimation& animation);
 
 }  // namespace delabole

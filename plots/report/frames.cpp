@@ -20,7 +20,7 @@ namespace {
 void append(std::string& text, double value) {
     constexpr int digits = 9;
     std::array<char, 32> buffer{};
-    // No "-0", and no numbers below the normal ones, at which some readers stop.
+    // Neither "-0" nor denormal numbers, which some readers of the format reject.
     const double shown = std::abs(value) < std::numeric_limits<double>::min() ? 0 : value;
     const auto end =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), shown, std::chars_format::general, digits);
@@ -57,7 +57,7 @@ constexpr std::string_view type_of<std::size_t> = "Int64";
 template <>
 constexpr std::string_view type_of<bool> = "UInt8";
 
-// One value per line; `value_of` gives that of an item.
+// An array with one value per line; `value_of` gives the value of an item.
 template <class Items, class ValueOf>
 std::string data_array(std::string_view name, const Items& items, ValueOf value_of) {
     using Value = std::decay_t<decltype(std::invoke(value_of, *items.begin()))>;
@@ -78,7 +78,7 @@ std::string field_number(std::string_view name, double value) {
     return text + "\n</DataArray>\n";
 }
 
-// VTK writes texts as the numbers of their bytes, each text ended by a zero.
+// VTK stores texts as the numbers of their bytes, each text ended by a zero.
 std::string field_words(std::string_view name, const std::vector<std::string>& words) {
     std::string text = "<Array type=\"String\" Name=\"";
     text.append(name)
@@ -106,7 +106,7 @@ struct Piece {
     std::string point_data = {};
     std::string cell_data = {};
     std::string coordinates = {};
-    std::string_view cells = {};  // the kind: Verts or Polys
+    std::string_view cells = {};  // the kind of the cells: Verts or Polys
     std::size_t cell_count = 0;
     std::string connectivity = {};
 };
@@ -125,7 +125,7 @@ std::string poly_data(const std::string& field_data, const Piece& piece) {
     return file_of("PolyData", text);
 }
 
-// Point n is corner n, whatever the cell.
+// Every corner is a point of its own, so the connectivity counts 0, 1, 2, ... through all cells.
 std::string connectivity(const std::vector<std::size_t>& ends) {
     std::vector<std::size_t> numbers(ends.empty() ? 0 : ends.back());
     std::iota(numbers.begin(), numbers.end(), std::size_t{0});
@@ -151,7 +151,7 @@ std::vector<Item> drawable_of(const std::vector<Item>& items) {
     return result;
 }
 
-// TimeValue is the name under which ParaView looks for it.
+// ParaView looks for the time under the name TimeValue.
 std::string moment_of(const BlockFrame& frame) {
     return field_number("TimeValue", frame.time) + field_number("tilt", frame.tilt);
 }
@@ -214,7 +214,7 @@ FrameFolder::FrameFolder(std::filesystem::path folder, std::string name)
     : folder_(std::move(folder)), name_(std::move(name)) {
     create_output_subfolder(folder_);
     for (const std::string_view kind : {"blocks", "contacts"}) {
-        // Collections first: a list never names what is not there.
+        // Collections are removed first, so that they never list files that no longer exist.
         std::error_code error;
         std::filesystem::remove(folder_ / collection_name(kind), error);
         for (std::size_t index = 0; std::filesystem::remove(folder_ / file_name(kind, index), error); ++index) {

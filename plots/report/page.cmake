@@ -1,4 +1,4 @@
-# Builds style sheets and script of the report into the program.
+# Embeds the style sheets and the script of the report in the program.
 foreach(file report.css animation.css animation.js)
     set(path ${CMAKE_CURRENT_LIST_DIR}/page/${file})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})

@@ -7,6 +7,6 @@ namespace delabole {
 
 extern const std::string_view report_style;
 extern const std::string_view animation_style;   // for a page with an animation (animation.hpp)
-extern const std::string_view animation_script;  // lets it move; behind all animations
+extern const std::string_view animation_script;  // moves the animation; goes after all animations of the page
 
 }  // namespace delabole

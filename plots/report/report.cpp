@@ -17,7 +17,7 @@ std::string element(const std::string& name, std::string_view text) {
     return "<" + name + ">" + escape_html(text) + "</" + name + ">\n";
 }
 
-// Names such as "water.water_elevation" may be broken after a point or an underscore, where a column is narrow.
+// Names such as "water.water_elevation" may be broken after a point or an underscore if a column is narrow.
 std::string breakable(const std::string& html) {
     const auto is_letter = [](char character) { return character >= 'a' && character <= 'z'; };
     std::string text;
@@ -39,7 +39,7 @@ class Page {
         html_ +=
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-            // Without it browsers ask the server, or the disk, for an icon.
+            // Without this, browsers ask the server or the disk for an icon.
             "<link rel=\"icon\" href=\"data:,\">\n";
         html_ += element("title", report.title);
         html_ += "<style>\n";
@@ -73,7 +73,7 @@ class Page {
         }
     }
 
-    // Links to what has headings in the report, in their order.
+    // Links to all parts of the report that have headings, in order.
     void gather_contents(const std::vector<ReportBlock>& blocks) {
         std::string links;
         int sections = 0;
@@ -158,11 +158,11 @@ class Page {
         html_ += "</div>\n";
     }
 
-    // A column in which no row has anything is left out.
+    // A column whose cells are empty in all rows is left out.
     void add(const Table& table) {
         const std::vector<std::size_t> columns = columns_with_content(table);
-        // tabindex: whoever has no touch screen scrolls a wide table by the arrow keys.
-        constexpr std::size_t many = 8;  // columns, for which paper needs smaller letters
+        // tabindex lets readers without a touch screen scroll a wide table with the arrow keys.
+        constexpr std::size_t many = 8;  // number of columns above which print needs smaller letters
         html_ += "<div class=\"table\" tabindex=\"0\">\n";
         html_ += columns.size() > many ? "<table class=\"wide\">\n" : "<table>\n";
         if (!table.caption.empty()) {
@@ -261,7 +261,7 @@ class Page {
         return columns;
     }
 
-    // A number and its unit stay on one line; texts have room for some words.
+    // A number and its unit stay on one line; longer texts may be broken.
     void add_cell(const std::string& text, bool number) {
         constexpr std::size_t longest_number = 24;  // letters, with its unit
         const bool is_long = text.size() > longest_number;
@@ -272,7 +272,7 @@ class Page {
         html_ += ">" + breakable(escape_html(text)) + "</td>";
     }
 
-    // The place that the table of contents links to. Inside of something folded there are none.
+    // The anchor that the table of contents links to. Inside folded parts there are none.
     std::string next_section() { return depth_ > 0 ? "" : " id=\"section-" + std::to_string(++sections_) + "\""; }
 
     void end_figure(const std::string& caption) {
@@ -284,7 +284,7 @@ class Page {
     std::string contents_;
     int figures_ = 0;
     int sections_ = 0;
-    int depth_ = 0;  // of what is folded
+    int depth_ = 0;  // depth of nested folded parts
 };
 
 }  // namespace
@@ -308,7 +308,7 @@ std::string report_page(const Report& report) {
     Page page;
     page.begin(report);
     page.gather_contents(report.blocks);
-    // The answer stands before everything that takes longer to read.
+    // The answer stands before everything that takes longer to read, the table of contents included.
     const bool has_head = !report.blocks.empty() && std::holds_alternative<HeadCard>(report.blocks.front());
     const auto rest = report.blocks.begin() + (has_head ? 1 : 0);
     page.add_blocks({report.blocks.begin(), rest});

@@ -1,7 +1,7 @@
-// A report as a value, and the one page of HTML it becomes: styles and figures inside, nothing fetched, no script but
-// that of animations, so that it can be mailed, read on a phone and printed.
+// A report as a value, and the single page of HTML made from it. Styles and figures are inside the page, nothing is
+// fetched, and the only script is that of animations, so the page can be mailed, read on a phone and printed.
 //
-// All texts are plain; whatever they hold is shown as it stands.
+// All texts are plain: markup in them is shown, not interpreted.
 #pragma once
 
 #include "plots/drawing/figure.hpp"
@@ -31,7 +31,7 @@ struct BulletList {
 
 enum class NoticeKind { verdict, warning };
 
-// A box that is not to be missed.
+// A highlighted box.
 struct Notice {
     NoticeKind kind = NoticeKind::verdict;
     std::string title = {};
@@ -43,7 +43,7 @@ struct TableColumn {
     TableColumn(std::string words, bool is_number = false) : title(std::move(words)), number(is_number) {}
 
     std::string title;
-    bool number;  // aligned right, figures of equal width
+    bool number;  // aligned right, with digits of equal width
 };
 
 // "width, m"_number is the title of a column of numbers.
@@ -58,25 +58,26 @@ struct Table {
     std::vector<std::vector<std::string>> rows = {};
 };
 
-// A drawn figure; a box with the reason where there is none.
+// A drawn figure, or a box with the reason why it could not be drawn.
 struct FigureInReport {
     FigureFiles files = {};
     std::string caption = {};
 };
 
-// Figures of one kind side by side, small.
+// Small figures of one kind, side by side.
 struct FigureRow {
     std::vector<FigureInReport> figures = {};
 };
 
-// Names and values of what the result was made from and with.
+// Names and values that tell how the result was made, for example input file and version.
 struct Provenance {
     std::vector<std::pair<std::string, std::string>> entries = {};
 };
 
 enum class AnswerTone { good, bad, open };
 
-// The answer before everything else: at most three sentences, the first of them in bold, and the picture that shows it.
+// The answer, placed before everything else: at most three sentences, the first of them in bold, and the picture that
+// shows it.
 struct HeadCard {
     AnswerTone tone = AnswerTone::open;
     std::vector<std::string> sentences = {};
@@ -88,13 +89,13 @@ struct Folded;
 using ReportBlock = std::variant<HeadCard, Heading, Paragraph, BulletList, Notice, Table, FigureInReport, FigureRow,
                                  BlockAnimation, Provenance, Folded>;
 
-// Details that are shown when the reader opens them. They are printed where they are open.
+// Details that are shown when the reader opens them, and printed only if they are open.
 struct Folded {
     std::string title = {};
     std::vector<ReportBlock> blocks = {};
 };
 
-// Moves the first picture among the blocks to the head; there may be none.
+// Moves the first picture among the blocks, if there is any, to the head.
 void take_picture(std::vector<ReportBlock>& blocks, HeadCard& head);
 
 struct Report {
@@ -103,12 +104,12 @@ struct Report {
     std::vector<ReportBlock> blocks = {};
 };
 
-// The page. Figures and animations are numbered in their order; their SVG files are read here. Figures that follow each
-// other stand side by side where the page is wide enough. A page of three headings or more has a table of contents,
-// in the head card where it begins with one.
+// The page. Figures and animations are numbered in order; their SVG files are read here. Consecutive figures stand side
+// by side if the page is wide enough. A page of three headings or more has a table of contents, which is in the head
+// card if the page begins with one.
 std::string report_page(const Report& report);
 
-// Writes the page as write_file_atomically does. OutputError when that fails.
+// Writes the page with write_file_atomically. Throws OutputError if that fails.
 void write_report(const Report& report, const std::filesystem::path& path);
 
 }  // namespace delabole

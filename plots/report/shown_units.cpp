@@ -12,13 +12,13 @@ namespace delabole {
 namespace {
 
 struct Conversion {
-    double factor;  // shown unit over metric unit
+    double factor;  // shown unit per metric unit
     std::string unit;
 };
 
 constexpr Dimension last_dimension = Dimension::angular_speed;
 
-// Returns nothing where the unit stays.
+// Returns nothing if the unit is not converted.
 std::optional<Conversion> conversion_of(std::string_view unit) {
     for (int index = 0; index <= static_cast<int>(last_dimension); ++index) {
         const auto dimension = static_cast<Dimension>(index);
@@ -32,7 +32,7 @@ std::optional<Conversion> conversion_of(std::string_view unit) {
     return std::nullopt;
 }
 
-// A point of a figure, by the factors of its axes.
+// Scales the points of a figure by the factors of its axes.
 struct Scaling {
     double x = 1;
     double y = 1;
@@ -88,12 +88,12 @@ double convert(Axis& axis) {
     if (axis.range) {
         axis.range = std::pair{conversion->factor * axis.range->first, conversion->factor * axis.range->second};
     }
-    // Ticks that were set name numbers of the metric unit; gnuplot's own are round.
+    // Ticks given explicitly are labelled with numbers of the metric unit; gnuplot's own ticks are round numbers.
     axis.ticks.clear();
     return conversion->factor;
 }
 
-// A number by itself; words and ranges stay.
+// Converts a cell that holds a number alone; words and ranges stay.
 void convert(std::string& cell, double factor) {
     if (const auto value = bare_number(cell)) {
         constexpr int digits = 5;
@@ -101,7 +101,7 @@ void convert(std::string& cell, double factor) {
     }
 }
 
-// "weight, kN/m"
+// Converts a column whose title ends with a unit, such as "weight, kN/m".
 void convert(Table& table) {
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
         std::string& title = table.columns[column].title;

@@ -1,7 +1,8 @@
-// Figures and tables, made in metric units, in those in which the report is to show them (fitting/work/words.hpp).
+// Converts figures and tables, which are made in metric units, to the units in which the report shows them
+// (fitting/work/words.hpp).
 //
-// An axis, and a column of a table, is converted where its unit is one in which metric reports show a dimension;
-// others stay as they are.
+// An axis, or a column of a table, is converted if its unit is the one in which metric reports show a dimension; others
+// do not change.
 #pragma once
 
 #include "plots/drawing/figure.hpp"

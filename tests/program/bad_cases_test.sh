@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A case that is wrong is refused: exit code 3, the place, the value and what would be right on standard error, nothing
-# on standard output, no result folder. `check`, `run` and, where it can, `fit` say the same.
+# A wrong case is refused: exit code 3; place, value and a correct alternative on standard error, nothing on standard
+# output, no result folder. `check`, `run` and, where possible, `fit` print the same.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml
@@ -8,7 +8,7 @@ write_good_fit good_fit.toml
 write_good_blocks good_blocks.toml
 write_good_columns good_columns.toml
 
-# bad WHAT SED MESSAGE: the case changed by a sed script; the message is the whole of standard error.
+# bad WHAT SED MESSAGE: changes the case with a sed script; MESSAGE is the whole of standard error.
 bad() {
     bad_of good.toml "$@"
 }
@@ -55,7 +55,7 @@ bad "missing key" '/^face_dip/d' 'case.toml:5:1: slope.face_dip: is required'
 bad "mistyped model" 's/plane_failure/plane_failrue/' 'case.toml:2:9: model = "plane_failrue": '
 bad "not TOML" '/^height/s/=/:/' 'case.toml:6:'
 
-# Well formed, and yet a slope that cannot be.
+# The values are well formed but describe an impossible slope.
 bad "plane steeper than the face" '/^\[failure_plane/,/^dip/s/35/61/' \
     'case.toml:12:7: failure_plane.dip = "61 deg": the failure plane is as steep as the face or steeper: must be less than slope.face_dip = 60 deg'
 bad "plane as steep as the face" '/^\[failure_plane/,/^dip/s/35/60/' 'case.toml:12:7: failure_plane.dip = "60 deg": '
@@ -82,7 +82,7 @@ bad "crack flatter than the plane" '/^\[tension_crack/,/^dip/s/90/30/' \
 bad "plane that never meets the ground" '/^upper_surface_dip/s/0/40/;/^\[tension_crack/,/^distance/d;s/crack_and_base/dry/;/^water_depth/d;/9\.81/d' \
     'case.toml:8:21: slope.upper_surface_dip = "40 deg": the ground behind the crest is as steep as the failure plane'
 
-# Columns on a stepped base that cannot be.
+# Impossible columns on a stepped base.
 bad_of good_columns.toml "joints that cannot topple on the base" '/^joint_dip/s/70/50/' \
     'case.toml:12:13: columns.joint_dip = "50 deg": cannot topple on this base: bases normal to the joints dip 40 deg'
 bad_of good_columns.toml "base as steep as the face" '/^base_inclination/s/35/65/' \
@@ -272,7 +272,7 @@ delabole run case.toml --out results
 expect_status 3
 expect "nothing has changed" diff -r before results
 
-# Files that cannot be read. A user may give any of these names by mistake; none may make the program wait.
+# Files that cannot be read. A user may give any of these names by mistake; the program must not wait for any of them.
 unreadable() {
     title "$1"
     local command

@@ -1,14 +1,14 @@
-# A page in headless Chromium, driven through its pipe (the DevTools protocol); to be sourced after harness.sh.
-# open_browser WIDTH HEIGHT starts it, visit ADDRESS loads a page, evaluate SCRIPT leaves in $value what the script's
-# last expression (or promise) is, as JSON, screenshot FILE keeps what is seen, close_browser ends it.
-# serve CASE... starts delabole live and leaves $address, $port, $token and $server, the process, which ends with the test.
+# Controls a page in headless Chromium through its pipe (the DevTools protocol); to be sourced after harness.sh.
+# open_browser WIDTH HEIGHT starts it, visit ADDRESS loads a page, evaluate SCRIPT stores the value of the script's last
+# expression (or promise) in $value, as JSON, screenshot FILE saves the visible page, close_browser ends it. serve
+# CASE... starts delabole live and sets $address, $port, $token and $server, the process, which ends with the test.
 
 browser_message=0
 
 trap '[[ -z ${server:-} ]] || kill "$server" 2>/dev/null || true; rm -rf "$scratch"' EXIT
 
 serve() {
-    rm -f "$scratch/served"  # of the server before, whose address a slow start would leave in it
+    rm -f "$scratch/served"  # of the previous server: a slow start would leave its address there
     "$program" live "$@" >"$scratch/served" 2>"$scratch/served_err" </dev/null &
     server=$!
     until grep -q '#' "$scratch/served" 2>/dev/null; do
@@ -42,7 +42,7 @@ open_browser() {
     tell_browser Runtime.enable '{}'
 }
 
-# Leaves the answer to the message in $reply; what the console says on the way is kept in $scratch/console.
+# Stores the answer to the message in $reply; meanwhile console messages are kept in $scratch/console.
 tell_browser() {
     browser_message=$((browser_message + 1))
     local session=${browser_session:+,\"sessionId\":\"$browser_session\"} line
@@ -76,7 +76,7 @@ visit() {
     tell_browser Page.navigate "{\"url\":\"$1\"}"
 }
 
-# Waits until the expression is true.
+# Waits until the expression becomes true.
 wait_for() {
     local turn
     for turn in {1..600}; do

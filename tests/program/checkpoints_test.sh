@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# A dynamic relaxation killed at any moment goes on by the same command and ends with the same bytes; Ctrl-C leaves a
-# checkpoint and says how to go on; a case that a checkpoint does not belong to is refused rather than to lose it.
+# A dynamic relaxation that is killed at any moment continues with the same command and ends with the same bytes; Ctrl-C
+# leaves a checkpoint and prints how to continue; a case to which the checkpoint does not belong is refused, so that the
+# checkpoint is not lost.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 checkpoint=relaxation.checkpoint
 "$program" init relaxation --full --out case.toml
-# Seconds of work: blocks that slide for long, and a search after that.
+# The run takes seconds: blocks slide for a long time, and a search follows.
 cat >>case.toml <<'EOF'
 
 [history]
@@ -21,7 +22,7 @@ upper = "60 deg"
 EOF
 settings=(--set scene.base.friction_angle="9.5 deg" --set settings.collapse_displacement=20 --set settings.step_fraction=0.02)
 
-# Of a result folder, all that does not tell when it was made.
+# Everything in a result folder that does not depend on the time when it was made.
 answers() {
     (cd "$1" && cat results.csv history.csv movements.csv resolved.toml && cat figures/*.gp frames/*)
 }
@@ -52,7 +53,7 @@ for delay in 0.3 0.7 0.2 1.1 0.5; do
 done
 expect "it was killed more than once" test "$killed" -gt 1
 expect "a checkpoint is left" test -s "killed/$checkpoint"
-# As if it had been killed in the middle of writing one.
+# As if the program had been killed while writing a checkpoint.
 cp "killed/$checkpoint" "killed/.$checkpoint.123.4.part"
 delabole run case.toml "${settings[@]}" --out killed
 expect_status 0

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What each command leaves and prints: the files of design's result folder, tables or JSON or nothing on standard output,
-# --set and --seed in the provenance, folders of any name.
+# What each command writes and prints: the files of a result folder, tables or JSON or nothing on standard output, --set
+# and --seed in the provenance, folders with any name.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml
@@ -349,7 +349,7 @@ delabole init jointed_slope
 expect "a page at most" test "$(wc -l <"$scratch/out")" -le 30
 cp "$scratch/out" jointed_slope.toml
 delabole run jointed_slope.toml --no-report
-expect_status 0  # what people start from has an answer
+expect_status 0  # a starting case has an answer
 expect_output 'FS 0.83'
 
 title "inputs and outputs are listed for a model and for a case, and as JSON"

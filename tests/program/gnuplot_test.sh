@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# An analysis does not die for a picture: without gnuplot, or with one that fails, results and report are there, the
-# report says which figures are missing and why, a warning on standard error says it too, and the exit code is 0.
+# A missing figure does not end an analysis: without gnuplot, or if it fails, results and report are written, the report
+# says which figures are missing and why, a warning on standard error says so, too, and the exit code is 0.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml

@@ -1,5 +1,6 @@
-# What the tests of the program share; to be sourced. The test works in $work, an empty folder that is removed at its
-# end, and finds the program as $program. Every expectation that fails is printed; `finish` turns them into the exit code.
+# Functions that the tests of the program share; to be sourced. The test works in $work, an empty folder that is removed
+# at the end, and the path of the program is in $program. Every expectation that fails is printed; `finish` turns them
+# into the exit code.
 set -euo pipefail
 
 program=$DELABOLE_BUILD/bin/delabole
@@ -34,7 +35,7 @@ refuse() {
     ! "$@"
 }
 
-# Runs a command; leaves its exit code in $status and what it printed in $scratch/out and $scratch/err.
+# Runs a command; its exit code is then in $status, its output in $scratch/out and $scratch/err.
 run() {
     status=0
     "$@" >"$scratch/out" 2>"$scratch/err" </dev/null || status=$?
@@ -62,7 +63,7 @@ contains() {
     grep -qF -e "$2" "$1"
 }
 
-# What the last run printed on standard error (or output) contains the text.
+# Standard error (or output) of the last run contains the text.
 expect_error() {
     checks=$((checks + 1))
     if ! contains "$scratch/err" "$1"; then
@@ -79,7 +80,7 @@ expect_output() {
     fi
 }
 
-# One message, and nothing where the result would have been.
+# Standard error is a single line.
 expect_one_line_of_error() {
     checks=$((checks + 1))
     if [[ $(wc -l <"$scratch/err") != 1 ]]; then
@@ -96,7 +97,7 @@ expect_silence() {
     fi
 }
 
-# Nothing but progress, which a slow build or a busy machine prints.
+# Standard error is empty or holds only progress, which a slow build or a busy machine prints.
 expect_only_progress() {
     checks=$((checks + 1))
     if grep -qvE '^ *[0-9]+ %: ' "$scratch/err"; then
@@ -105,7 +106,7 @@ expect_only_progress() {
     fi
 }
 
-# No file of a write that did not come to its end.
+# There is no temporary file of a write that was not completed.
 expect_no_leftovers() {
     checks=$((checks + 1))
     local left
@@ -113,7 +114,7 @@ expect_no_leftovers() {
     [[ -z $left ]] || fail "left behind: $left"
 }
 
-# The parts of a result folder that every analysis leaves.
+# The files of a result folder that every analysis writes.
 expect_complete_results() {
     local folder=$1 file
     for file in result.json resolved.toml report.html; do
@@ -124,7 +125,7 @@ expect_complete_results() {
     expect_no_leftovers "$folder"
 }
 
-# With Python where there is one; otherwise a look at its ends, and at words that JSON does not have.
+# Checks with Python if it is there; otherwise checks only both ends of the text and words that JSON does not have.
 is_json() {
     if command -v python3 >/dev/null; then
         python3 -c 'import json, sys
@@ -135,12 +136,12 @@ json.load(open(sys.argv[1]), parse_constant=refuse)' "$1"
     fi
 }
 
-# json_value FILE KEY: the first value of that name, as it is written.
+# json_value FILE KEY: the first value of that name, as written.
 json_value() {
     sed -nE "s/^ *\"$2\": (.*[^,]),?\$/\\1/p" "$1" | head -n 1
 }
 
-# A case that is in order: a slope of 12 m whose crack is 4.348 m deep.
+# A valid case: a slope of 12 m with a tension crack 4.348 m deep.
 write_good_case() {
     cat >"$1" <<'CASE'
 schema = 1
@@ -222,7 +223,7 @@ height = "1.5 m"
 CASE
 }
 
-# Columns cut out of a slope.
+# Columns cut from a slope.
 write_good_columns() {
     cat >"$1" <<'CASE'
 schema = 1
@@ -264,7 +265,7 @@ height = "1 m"
 CASE
 }
 
-# The good case with something to back-analyse; quick.
+# The valid case with a back-analysis that is quick.
 write_good_fit() {
     write_good_case "$1"
     cat >>"$1" <<'CASE'
@@ -295,7 +296,7 @@ upper = "4 m"
 CASE
 }
 
-# No number that is none, in any form, in what a reader or a program reads.
+# Texts for readers and for programs contain no "nan" or "inf" in any form.
 expect_only_numbers() {
     local file
     while IFS= read -r file; do
@@ -317,7 +318,8 @@ expect_figures() {
     expect "at least $2 figures" test "$figures" -ge "$2"
 }
 
-# result.json is the last file to be written: where it is, the rest is. Files of one tick of the clock are equally old.
+# result.json is the last file to be written, so that its presence shows that all others are there. Files written within
+# one tick of the clock count as equally old.
 expect_result_is_newest() {
     checks=$((checks + 1))
     local newer
@@ -325,7 +327,7 @@ expect_result_is_newest() {
     [[ -z $newer ]] || fail "newer than $1/result.json: $newer"
 }
 
-# A report in a browser, on a desk, on a phone and on paper.
+# Opens a report in a browser at the width of a desktop and of a phone, and as printed on paper.
 in_browser() {
     local name=$1
     checks=$((checks + 1))

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# --help of the program and of each command shows an example, and each example works as it is shown: typed into a shell
-# in a copy of the sources.
+# --help of the program and of each command shows an example, and each example works as shown when it is typed into a
+# shell in a copy of the sources.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 mkdir tree
@@ -12,7 +12,7 @@ examples() {
     awk '/^Examples?:/ { inside = 1; next } inside && /^ *$/ { exit } inside' "$scratch/out"
 }
 
-# A page is served until Ctrl-C.
+# This command serves a page until Ctrl-C, so it is ended here.
 serve_briefly() {
     bash -euc "cd tree && exec $1" >"$scratch/out" 2>"$scratch/err" </dev/null &
     local server=$!

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Ctrl-C during a long back-analysis ends it soon, with exit code 4 and a whole report that says it was interrupted; a
-# second one ends the program at once. Progress: lines now and then, or a bar on a terminal.
+# Ctrl-C during a long back-analysis ends it soon, with exit code 4 and a complete report that says that it was
+# interrupted; a second Ctrl-C ends the program at once. Progress is shown as occasional lines, or as a bar on a
+# terminal.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
-# Hours of work.
+# This fit would take hours.
 long_fit=(fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --set fit.starts=100000
     --set fit.evaluations_per_start=100000)
-# Far more than it takes on a busy machine, far less than the work.
+# Seconds: far more than an interrupt takes on a busy machine, far less than the work.
 patience=60
 
 milliseconds() {
@@ -32,7 +33,7 @@ start_long_fit() {
     sleep 1
 }
 
-# Waits for $child; its exit code in $status, the time it took in $waited.
+# Waits for $child; its exit code is then in $status, the time it took in $waited.
 wait_for_child() {
     local from
     from=$(milliseconds)
@@ -60,7 +61,7 @@ for signal in INT TERM HUP; do
     expect "marked in the report" contains "stopped_$signal/report.html" 'Interrupted'
     expect_no_leftovers "stopped_$signal"
     expect "no scratch folder" test -z "$(find "stopped_$signal" -mindepth 1 -type d ! -name figures)"
-    # Figures are drawn for 0.7 s more. On a busy machine those are few.
+    # Figures are drawn for another 0.7 s, which on a busy machine suffices for few of them.
     left_out=0
     for script in "stopped_$signal"/figures/*.gp; do
         if [[ -e ${script%.gp}.svg ]]; then
@@ -201,7 +202,7 @@ expect "no result folder" refuse test -e long
 
 title "Ctrl-C in work that never asks for it: sections of many blocks that are cut and checked"
 fine_section=$source_folder/cases/relaxation/base_friction_slope.toml
-# Many times, so that even a fast machine is still at it.
+# The case is checked many times, so that even a fast machine is still at work when the signal comes.
 mapfile -t many < <(yes "$fine_section" | head -n 50)
 setsid "$program" check "${many[@]}" --set 'scene.cut[1].trace.spacing="0.6 mm"' \
     --set 'scene.cut[2].trace.spacing="0.6 mm"' >"$scratch/out" 2>"$scratch/err" </dev/null &
@@ -216,7 +217,7 @@ expect_error 'delabole: interrupted: the work was ended where it was'
 expect_one_line_of_error
 
 title "Ctrl-C in a trade of accuracy against cost: what is finished is written"
-# Brackets of a billionth of a degree and steps of a fine setting: far longer than the test waits.
+# With a tolerance of a billionth of a degree and fine settings the work is far longer than the test waits.
 setsid "$program" trade "$source_folder/cases/relaxation/two_blocks_3.toml" --set 'critical.tolerance=1e-9 deg' \
     --out traded >"$scratch/out" 2>"$scratch/err" </dev/null &
 child=$!
@@ -233,7 +234,7 @@ expect "the settings that were finished" test "$(wc -l <traded/trade.csv)" -ge 2
 title "Ctrl-C in a chapter that is reproduced: where it was, and what the command does the next time"
 setsid "$program" reproduce chapter5 --out chapter >"$scratch/out" 2>"$scratch/err" </dev/null &
 child=$!
-# A line every five seconds, of some forty.
+# A line appears every five seconds, in this case about forty lines in all.
 wait_until grep -qE '^[0-9]+ %: [a-z_0-9.]+(, ([0-9]+ (s|min|h) left|time left not known))?$' "$scratch/err"
 kill -s INT -- "-$child"
 wait_for_child
@@ -241,7 +242,7 @@ echo "  ended after $waited ms"
 expect_status 4
 expect_error 'delabole: interrupted at '
 expect_error '; nothing is kept of it: the same command begins anew'
-# The whole takes minutes.
+# The complete work takes minutes.
 expect "soon: after a run or two of blocks" test "$waited" -lt 30000
 expect "nothing that would say that all is there" refuse test -e chapter/result.json
 

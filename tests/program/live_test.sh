@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# delabole live: who is answered and who is not, what the page does when a person uses it.
+# delabole live: which requests are answered and which are refused, and what the page does when it is used.
 source "$DELABOLE_SOURCE/tests/program/harness.sh"
 source "$DELABOLE_SOURCE/tests/program/browser.sh"
 
@@ -13,17 +13,17 @@ end_server() {
     expect "Ctrl-C ends it with exit code ${1:-0}" test "$status" == "${1:-0}"
 }
 
-# raw TEXT: sends it as it stands, leaves the answer in $scratch/answer and its status in $code.
+# raw TEXT: sends the text unchanged; the answer is then in $scratch/answer and its status in $code.
 raw() {
     exec 9<>"/dev/tcp/127.0.0.1/$port"
-    # A request that is refused before all of it was read has nobody left to read the rest.
+    # If a request is refused before it was read completely, nobody reads the rest of it.
     (trap '' PIPE && printf '%b' "$1" >&9) 2>/dev/null || true
     timeout 20 cat <&9 >"$scratch/answer" || true
     exec 9>&- 9<&-
     code=$(head -n 1 "$scratch/answer" | cut -d ' ' -f 2)
 }
 
-# post PATH BODY [HEADER...]: as the page asks, unless a header is given anew.
+# post PATH BODY [HEADER...]: sends what the page would send; a given header replaces that of the page.
 post() {
     local path=$1 body=$2 headers=""
     shift 2
@@ -99,7 +99,8 @@ post /answer "$big"
 expect_code 413 "a body of 300 kB"
 raw "POST /answer HTTP/1.1\r\nHost: 127.0.0.1:$port\r\nContent-Length: 99\r\n\r\n{"
 expect "who says nothing more is not waited for" test -n "$port"
-# Not read: a body of any length, which a client without the token could send, and a page a thousand times in one answer.
+# Requests that must not be read: a body of any length, which a client without the token could send, and a page a
+# thousand times in one answer.
 raw "POST /answer HTTP/1.1\r\nHost: 127.0.0.1:$port\r\nX-Delabole-Token: $token\r\nTransfer-Encoding: chunked\r\nConnection: close\r\n\r\n2\r\n{}\r\n0\r\n\r\n"
 expect_code 400 "a body in parts, whose length nobody knows"
 post /answer '{}' "Content-Encoding: gzip"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Where the user's language writes decimal commas, cases are read and results written as everywhere: numbers in, numbers
-# out and numbers in gnuplot's scripts and pictures have points.
+# In a locale with decimal commas, cases are read and results written as in any other: numbers in input, output,
+# gnuplot's scripts and pictures have decimal points.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 mkdir "$scratch/locales"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Exit code 4: a back-analysis that did not find what it searched for says so on standard error, in result.json and in the
-# report, and still leaves what it has. (That an interrupt is code 4, too, is in interrupt_test.sh.)
+# Exit code 4: a back-analysis that did not find what it searched for reports this on standard error, in result.json and
+# in the report, and still writes its results. (interrupt_test.sh tests that an interrupt has code 4, too.)
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_fit good_fit.toml
@@ -22,12 +22,12 @@ not_converged() {
 not_converged "too few evaluations" evaluation_limit "the best search of a mechanism ended at its limit" \
     fit good_fit.toml --set fit.starts=1 --set fit.evaluations_per_start=10
 
-# The plane is steeper than the face, whatever friction and water.
+# The plane is steeper than the face for every value of the parameters.
 sed 's/^name = "water.water_depth"/name = "failure_plane.dip"/;s/^lower = "0 m"/lower = "61 deg"/;s/^upper = "4 m"/upper = "80 deg"/' \
     good_fit.toml >impossible_fit.toml
 not_converged "no valid point" no_valid_point "a mechanism has no valid geometry" fit impossible_fit.toml
 
-# It stands at every tilt that is tried.
+# The block stands at every tilt that is tried.
 not_converged "a search that finds nothing" nothing_to_compare "no setting has both an answer" \
     trade "$source_folder/cases/relaxation/single_block.toml" --set critical.upper='12 deg' \
     --set critical.tolerance='1 deg' --quiet

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Exit code 5: a result that cannot be written, or does not reach its reader, is one clear message, and leaves neither
-# half a file nor a result.json that speaks of more than there is.
+# Exit code 5: if a result cannot be written or does not reach its reader, there is one clear message, no incomplete
+# file, and no result.json for results that are missing.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml
 write_good_fit good_fit.toml
 
-# cannot_write WHERE MESSAGE: run, fit and reproduce all refuse.
+# cannot_write WHERE MESSAGE: run, fit and reproduce all end with the message.
 cannot_write() {
     local folder=$1 message=$2
     for arguments in "run good.toml" "fit good_fit.toml" "reproduce dry_friction"; do
@@ -130,7 +130,7 @@ expect "the same files" test "$(cd reference && find . | sort)" == "$(cd closed_
 expect "the same tables" cmp reference/results.csv closed_all/results.csv
 expect "the same figures" cmp reference/figures/section.svg closed_all/figures/section.svg
 
-# A full disk. All three commands, on a disk that has room for the first files only.
+# A full disk: all three commands on a disk with room for the first files only.
 fits_on() {
     local disk=$1 arguments=$2
     # shellcheck disable=SC2086
@@ -171,7 +171,7 @@ if mount -t tmpfs -o size=64k tmpfs disk 2>"$scratch/mount"; then
 else
     echo "  cannot mount a small disk here ($(cat "$scratch/mount")); a limit on the size of files instead"
 fi
-# The size of a file limited to 16 kB: the report does not fit.
+# File sizes are limited to 16 kB, which is less than the report needs.
 title "files must not grow"
 for arguments in "run good.toml" "fit good_fit.toml" reproduce; do
     status=0

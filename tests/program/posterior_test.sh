@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# delabole fit with [fit.posterior]: what it leaves, the same bytes for any number of threads, and what is said of
-# priors, parameters and draws that cannot carry an answer.
+# delabole fit with [fit.posterior]: the results that it writes, the same bytes for any number of threads, and the
+# warnings about priors, parameters and draws from which no answer can follow.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_fit good_fit.toml

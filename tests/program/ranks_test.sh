@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Under mpirun: any number of ranks gives the bytes of one; one rank prints and writes; mistakes are told once; after the
-# loss of a rank the same command goes on from the store.
+# Under mpirun any number of ranks gives the same bytes as one; one rank prints and writes; mistakes are reported once;
+# after the loss of a rank the same command continues from the store.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 if [[ $DELABOLE_WITH_MPI != ON && $DELABOLE_WITH_MPI != TRUE ]]; then
@@ -12,10 +12,10 @@ if [[ $DELABOLE_WITH_MPI != ON && $DELABOLE_WITH_MPI != TRUE ]]; then
     exit
 fi
 
-# More ranks than processors, also as root in a container.
+# The test needs more ranks than there are processors, and may run as root in a container.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
-# Ranks that wait leave the processor to the others.
+# Waiting ranks leave the processor to the others.
 export OMPI_MCA_mpi_yield_when_idle=1
 
 ranks() {
@@ -24,7 +24,7 @@ ranks() {
     run mpirun -np "$count" "$program" "$@"
 }
 
-# All files of two folders alike but the pictures, the report and where the results come from.
+# All files of two folders are equal, except for pictures, the report and the origin of the results.
 same_answers() {
     local file
     expect "the same files in $1 and $2" \

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Usage: readme_test.sh README, from the root of the sources
-# What a README tells a reader to type works, and prints what it says: every fenced block of language sh is run by
-# bash -eu, one after the other, in a copy of the sources with a home folder of its own and the built program on PATH;
-# a block of language text that follows at once is what it prints. Pictures that its commands draw are those of the
-# sources, and its links lead somewhere. The block with cases/run and tests/run is left to .ci/run, which runs both;
-# mpirun is left out where the program was built without MPI, and Python where its module was not built.
+# Commands in a README work and print what the README shows. Every fenced block of language sh is run by bash -eu, one
+# after the other, in a copy of the sources with an own home folder and the built program on PATH; a block of language
+# text directly after it is the expected output. Pictures drawn by the commands must equal those in the sources, and
+# links must lead to existing files. The block with cases/run and tests/run is left out, since .ci/run runs both; so are
+# mpirun if the program was built without MPI, and Python if its module was not built.
 set -euo pipefail
 readme=$1
 work=$(mktemp -d)
@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 
 mkdir "$work/home" "$work/delabole"
 tar -C "$DELABOLE_SOURCE" --exclude=./build --exclude=./results --exclude=./.git -cf - . | tar -C "$work/delabole" -xf -
-# The READMEs speak of build/release, whatever preset this test belongs to.
+# The READMEs refer to build/release, whatever the preset of this test.
 mkdir "$work/delabole/build"
 ln -s "$DELABOLE_BUILD" "$work/delabole/build/release"
 
@@ -24,11 +24,11 @@ awk -v folder="$work" '
     !inside && NF { file = "" }
 ' "$work/delabole/$readme"
 
-# Commands under mpirun, with more ranks than processors and perhaps as root.
+# Commands under mpirun may have more ranks than there are processors, and may run as root.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
 
-# Cases written out in full are right.
+# Cases written out in a README must be valid.
 awk -v folder="$work" '
     !inside && /^```toml$/ { inside = 1; file = sprintf("%s/case_%02d.toml", folder, ++count); next }
     inside && /^```$/ { inside = 0; close(file); next }
@@ -42,8 +42,8 @@ for written in "$work"/case_*.toml; do
     fi
 done
 
-# Estimates from random draws follow the last bits of the processor's own functions: on lines that state an error (+-)
-# numbers may differ by 5 %, which is several of those errors, and columns may be wider.
+# Estimates from random draws depend on the last bits of the processor's own functions. Therefore numbers on lines with
+# an error (+-) may differ by 5 %, which is several of those errors, and columns may be wider.
 alike() {
     awk 'function differ(one, other) {
             return one != other && !(one ~ /^[-0-9.]+$/ && other ~ /^[-0-9.]+$/ &&

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# delabole recover: Delabole's mechanisms find known parameters again; the same bytes for any number of threads; what a
-# next measurement would tell stands in the report of the fit.
+# delabole recover: Delabole's mechanisms recover known parameters, with the same bytes for any number of threads; the
+# report of the fit shows the expected information of further measurements.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 sliding() {
-    # The case with its first mechanism alone, and a profile that is observed.
+    # The case with only its first mechanism, and an observed profile.
     awk '/^\[\[fit.mechanism\]\]/ { if (++count == 2) exit } { print }' "$source_folder/cases/delabole_1967/given_surface.toml"
     cat <<'END'
 [fit.profile]
@@ -24,8 +24,8 @@ for file in coverage.csv repetitions_structural_sliding.csv figures/coverage_str
     figures/ranks_structural_sliding_1.svg figures/ranks_structural_sliding_2.svg; do
     expect "$file is there" test -s "prior/$file"
 done
-# Shares of 60 within 3.3 binomial standard errors, 0.060 and 0.028 each: a sound sampler misses them once in a thousand
-# times.
+# Shares of 60 repetitions within 3.3 binomial standard errors (0.060 and 0.028): a correct sampler misses this once in
+# a thousand times.
 while IFS=, read -r _ parameter _ share_68 _ _ share_95 _ _ _ _ _ uniformity; do
     expect "$parameter: 68 %" awk "BEGIN { exit !($share_68 > 0.683 - 0.198 && $share_68 < 0.683 + 0.198) }"
     expect "$parameter: 95 %" awk "BEGIN { exit !($share_95 > 0.95 - 0.093) }"
@@ -70,7 +70,8 @@ expect_output 'what to measure next'
 expect_output 'piezometers behind the face'
 expect "table" test -s fitted/value_of_information.csv
 expect "figure" test -s fitted/figures/value_of_information.svg
-# What is measured directly is narrowed most: of the water level by a piezometer, of the spacing by a survey.
+# A parameter that is measured directly has the greatest reduction: the water level by a piezometer, the spacing by a
+# survey.
 reduction() {
     awk -F, -v candidate="$1" -v parameter="$2" '$1 == candidate && $2 == "all" && $4 == parameter { print $5 }' \
         fitted/value_of_information.csv

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The same case gives the same result: run again, into the same folder or another, from its own resolved.toml, with any
-# number of threads.
+# The same case gives the same result when it is run again, into the same folder or another, from its own resolved.toml,
+# and with any number of threads.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml
 write_good_fit good_fit.toml
 
-# Everything but how long it took. Without the commas at the ends of lines, for a list may lose its last line.
+# The file without times, and without the commas at the ends of lines, because a list may lose its last line.
 timeless() {
     sed -E '/"(wall|fit)_seconds": /d; s/,$//' "$1"
 }
@@ -26,7 +26,7 @@ same_but_for() {
     fi
 }
 
-# All files of two folders alike, wall time apart.
+# All files of two folders are equal, except for the wall time.
 same_folders() {
     local file
     expect "the same files in $1 and $2" test "$(cd "$1" && find . | sort)" == "$(cd "$2" && find . | sort)"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The reports that the program really writes, in a browser, on a desk and on a phone: nothing on the console, every figure
-# there, no sideways scrolling. REPORTS_SCREENSHOTS names a folder for pictures of them.
+# The reports that the program writes, opened in a browser at the width of a desktop and of a phone: no message on the
+# console, all figures present, no sideways scrolling. REPORTS_SCREENSHOTS names a folder for screenshots.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What reproduce leaves: of all the thesis and of one part, whole, with figures, printed beside computed.
+# What reproduce writes, for the whole thesis and for one part: complete results with figures, and printed values beside
+# computed ones.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 expect_complete_results_of_reproduce() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Nothing lost, nothing mixed: one folder holds one result, of one case, written by one process, and nothing is written
-# through a symbolic link that lies in it.
+# Results are neither lost nor mixed: one folder holds one result of one case, written by one process, and nothing is
+# written through a symbolic link in it.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml
@@ -156,7 +156,7 @@ expect_status 3
 expect_error 'must consist of at most 100 letters, digits, - and _'
 
 title "a second process is refused while one writes"
-# As long as its gnuplot waits.
+# The first process writes as long as its gnuplot waits.
 mkdir waiting
 cat >waiting/gnuplot <<STUB
 #!/usr/bin/env bash

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# delabole sensitivity: the results it leaves, the same bytes for any number of threads, bad studies refused at their
-# place, studies without an answer and interrupted ones said to be so.
+# delabole sensitivity: the results that it writes, the same bytes for any number of threads, messages with the place
+# for wrong studies, and studies without an answer or interrupted, which are reported as such.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml
@@ -117,14 +117,14 @@ expect "the status says so" test "$(json_value hopeless/result.json status)" == 
 
 title "a search that ends at a bound decides a sample where the bound is the limit"
 probability=$source_folder/cases/relaxation/single_block_probability.toml
-# few UPPER STATUS: what a few samples say where the search of the critical tilt ends there
+# few UPPER STATUS: runs a few samples with UPPER as the upper bound of the search for the critical tilt
 few() {
     delabole sensitivity "$probability" --out "few_$1" --set critical.upper="$1 deg" --set settings.quality=draft \
         --set sensitivity.propagation.samples=64 --quiet
     expect_status "$2"
 }
 few 30 0
-few 16 4 # where the medians stand, first-order reliability has nowhere to start from
+few 16 4 # the slope stands at the medians, where first-order reliability has no value to start from
 for answer in failed decided; do
     expect "the same number $answer" \
         test "$(json_value few_16/result.json "$answer")" == "$(json_value few_30/result.json "$answer")"

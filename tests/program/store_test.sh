@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# Evaluations of dynamic relaxation are kept: a study killed at any moment goes on by the same command without repeating
-# one that was finished, and gives the same bytes; other studies of the same model use them; what is no store, or is
-# damaged, is refused and left as it is.
+# Evaluations of dynamic relaxation are kept: a study that is killed at any moment continues with the same command, does
+# not repeat a finished evaluation and gives the same bytes; other studies of the same model use the evaluations; a file
+# that is not a store, or is damaged, is refused and left unchanged.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 blocks=$source_folder/cases/relaxation/single_block_probability.toml
-# Slow enough to be killed in the middle.
+# The study is slow enough to be killed while it runs.
 study=(sensitivity "$blocks" --set settings.quality=standard --set sensitivity.propagation.samples=128 --quiet)
 
 rows() {
     sqlite3 -readonly "$1" 'SELECT count(*) FROM evaluation' 2>/dev/null || echo 0
 }
 
-# Tables and all results but where they come from and how long they took.
+# Tables and all results, except for their origin and the time they took.
 same_answers() {
     local table
     for table in "$1"/*.csv "$1"/resolved.toml; do

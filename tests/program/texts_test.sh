@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Texts of a case may be somebody else's: on a terminal, in a spreadsheet, in gnuplot and in a report they are only shown.
+# The texts of a case may come from another person: a terminal, a spreadsheet, gnuplot and a report must only display
+# them.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_fit good.toml
@@ -12,7 +13,8 @@ expect_no_escapes() {
 }
 
 title "escape sequences do not reach the terminal"
-# The title changes that of the window, the second sequence is the 8-bit form of one; a label and a source hold more.
+# The first sequence would change the window's title, the second is the 8-bit form of such a sequence; a label and a
+# source hold more of them.
 sed -E 's/^title = .*/title = "\\u001B]0;owned\\u0007 \\u009B31m"/; s/it failed/it \\u001B[8mfailed/' good.toml >wild.toml
 cat >>wild.toml <<'CASE'
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Exit codes 0, 1 and 2: what is right, what does not match, and command lines that cannot be understood. Codes 3 to 5
-# have tests of their own.
+# Exit codes 0, 1 and 2: success, a mismatch, and command lines that cannot be understood. Codes 3 to 5 have tests of
+# their own.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every [[expect]] of the shipped cases is met, those of the models of the thesis left out, whose runs take minutes, and
-# of the published problems that take up to a minute and a half all but one: another one with each revision.
+# Every [[expect]] of the shipped cases is met. Left out are the models of the thesis, whose runs take minutes, and of
+# the published problems that take up to a minute and a half all except one, which changes with each revision.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 long=(rj_3 rj_4 rj_5 rj_8 rj_15 rj_20)

@@ -1,4 +1,4 @@
-// Bricks of 1 m by 2 m, laid as in a wall, on a fixed plane and against a fixed toe.
+// Bricks of 1 m by 2 m, laid as in a wall on a fixed plane and against a fixed toe.
 #pragma once
 
 #include "dynamic_relaxation/scene/scene.hpp"
@@ -10,8 +10,8 @@ namespace delabole {
 
 struct BrickPack {
     int rows;
-    int bricks;              // of a row
-    double stiffness_ratio;  // corner stiffness times the width over the weight of a brick
+    int bricks;              // in a row
+    double stiffness_ratio;  // corner stiffness times the width of a brick over its weight
     double friction_angle;
     double tilt;
 };

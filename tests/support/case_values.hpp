@@ -1,4 +1,4 @@
-// Where the values of a case stand in its text: so that each can be made wrong without another reader's view of TOML.
+// Finds the values of a case in its text, so that each can be made wrong without another parser of TOML.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 namespace delabole::testing {
 
 struct CaseValue {
-    std::string path;       // without the numbers of list elements: "scene.block.width", "fit.parameter.lower"
-    std::size_t key_begin;  // of `key = value` in the text; begin where a list holds the value
+    std::string path;       // without the indices of list elements: "scene.block.width", "fit.parameter.lower"
+    std::size_t key_begin;  // of `key = value` in the text; equal to begin if a list holds the value
     std::size_t begin;
     std::size_t end;
     bool is_list = false;
-    bool has_line = false;  // its key begins a line
+    bool has_line = false;  // its key is at the beginning of a line
 };
 
-// In the order of the text; as far as it can be followed.
+// The values in the order of the text, up to a point where it cannot be parsed.
 class CaseValues {
   public:
     explicit CaseValues(std::string_view text) : text_(text) { read(); }
@@ -79,7 +79,7 @@ class CaseValues {
     }
 
     bool read_value(const std::string& path, std::size_t key_begin, bool has_line) {
-        constexpr int deepest = 100;  // of a stack that ends
+        constexpr int deepest = 100;  // of the recursion, so that it ends
         if (!skip_blank(true) || depth_ == deepest) {
             return false;
         }
@@ -95,7 +95,7 @@ class CaseValues {
             whole = read_members('}', [&] { return read_entry(path, false); });
         } else {
             const std::size_t end = std::min(text_.find_first_of(",]}# \t\r\n", at_), text_.size());
-            whole = end > at_;  // or a list would be read for ever
+            whole = end > at_;  // otherwise a list would be read without end
             at_ = end;
         }
         found_[index].end = at_;

@@ -1,4 +1,4 @@
-// Random blocks that fall, slide and pile up on fixed ones, and what must not happen to them: a block in another.
+// Random blocks that fall, slide and pile up on fixed ones, and a check that no block is inside another.
 #pragma once
 
 #include "dynamic_relaxation/blocks/overlap.hpp"
@@ -22,7 +22,7 @@ constexpr double pi = 3.14159265358979323846;
 enum class Kind {
     drop,   // one block from 0.02 to 12 m, at any angle
     shot,   // one block at 5 to 50 m/s, turning
-    slide,  // off a ramp and over the floor below, at up to 40 m/s
+    slide,  // down a ramp and over the floor below, at up to 40 m/s
     heap,   // polygons into a bin, at up to 50 m/s
 };
 
@@ -48,7 +48,7 @@ inline Polygon<> rectangle(double left, double bottom, double width, double heig
     return {{left, bottom}, {left + width, bottom}, {left + width, bottom + height}, {left, bottom + height}};
 }
 
-// Corners on an ellipse.
+// A polygon with its corners on an ellipse.
 inline Polygon<> polygon(Draw& draw, double size, double flatness) {
     const int count = 3 + static_cast<int>(draw.between(0, 5));
     const double first = draw.between(0, 2 * pi);
@@ -66,7 +66,7 @@ inline RelaxationBlock fixed_block(Polygon<> outline) {
     return block;
 }
 
-// Turned, and lifted until its lowest corner is at a height.
+// The outline rotated, and lifted until its lowest corner is at the given height.
 inline Polygon<> at_height(Polygon<> outline, double angle, double height) {
     double lowest = std::numeric_limits<double>::infinity();
     for (PlanePoint<>& vertex : outline) {
@@ -150,7 +150,8 @@ inline void add_heap(Draw& draw, unsigned seed, Fall& fall) {
     fall.duration = 1.5;
 }
 
-// The same for the same seed. `stiffness_ratio`: corner stiffness times the size of the largest block over its weight.
+// The same seed gives the same fall. `stiffness_ratio` is the corner stiffness times the size of the largest block over
+// its weight.
 inline Fall fall_of(Kind kind, unsigned seed, double stiffness_ratio = 1e6) {
     Draw draw(seed);
     Fall fall;
@@ -176,7 +177,7 @@ inline Fall fall_of(Kind kind, unsigned seed, double stiffness_ratio = 1e6) {
     return fall;
 }
 
-// To the end of its time: nothing of it is a failure.
+// The run continues to the end of its time, since no motion counts as failure.
 inline RelaxationSettings settings_of(const Fall& fall) {
     RelaxationSettings settings;
     settings.start = RelaxationStart::dropped;
@@ -188,14 +189,14 @@ inline RelaxationSettings settings_of(const Fall& fall) {
 
 struct Landing {
     RelaxationResult result;
-    // Out of time, moving or at rest: not stopped for an error.
+    // Whether the run came to its end, moving or at rest, and was not stopped by an error.
     bool ended() const {
         return result.outcome == RelaxationOutcome::undecided || result.outcome == RelaxationOutcome::equilibrium;
     }
-    double deepest = 0;  // share of the shortest edge by which a block was in another, at any of some hundred moments
+    double deepest = 0;  // greatest penetration of a block, as a share of the shortest edge, at some hundred moments
 };
 
-// Nothing where blocks are drawn in each other.
+// Nothing if blocks overlap in the initial geometry.
 inline std::optional<Landing> land(const Fall& fall, const RelaxationSettings& settings) {
     if (check_scene(fall.scene).check != SceneCheck::valid || check_start(fall.scene).check != SceneCheck::valid) {
         return {};

@@ -1,4 +1,4 @@
-// Slopes to be cut, for tests and benchmarks.
+// Slopes that are to be cut by joints, for tests and benchmarks.
 #pragma once
 
 #include "dynamic_relaxation/scene/relaxation_parameters.hpp"
@@ -10,7 +10,7 @@
 
 namespace delabole::testing {
 
-// Friction in degrees.
+// The friction angle is in degrees.
 inline RelaxationJoint joint_of_friction(double friction) {
     RelaxationJoint joint{};
     joint.friction_angle = degrees(friction);

@@ -1,4 +1,4 @@
-// Values that are no numbers, as models give them for what has none.
+// Values that are not numbers, which models give for outputs without a value.
 #pragma once
 
 #include <limits>

@@ -1,5 +1,5 @@
-// Plane-failure problems for sweeps: a textbook slope to start from, and random ones over the ranges of the deck's
-// "Extremes". The generator's bits are the standard's, the mapping to numbers is our own: the same problems everywhere.
+// Plane-failure problems for sweeps: a textbook slope, and random ones over wide ranges of all inputs. The generator's
+// bits are those of the C++ standard, and the mapping to numbers is our own, so the problems are the same everywhere.
 #pragma once
 
 #include "plane_failure/parameters.hpp"

@@ -1,4 +1,4 @@
-// Random jointed slopes, and ways to draw the same slope that must not change whether it stands.
+// Random jointed slopes, and changes of their description that must not change whether they stand.
 #pragma once
 
 #include "dynamic_relaxation/contact/bonds.hpp"
@@ -17,7 +17,7 @@
 
 namespace delabole::testing {
 
-// A slope with one to three joint sets and at times a joint, one set often through the toe.
+// A slope with one to three joint sets, and sometimes a single joint; often one set passes through the toe.
 inline RelaxationStudy random_slope(std::uint32_t seed) {
     std::mt19937 random(seed);
     const auto between = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
@@ -37,7 +37,7 @@ inline RelaxationStudy random_slope(std::uint32_t seed) {
         cuts.push_back(cut("set " + std::to_string(number), set));
     }
     if (between(0, 1) < 0.3) {
-        // From the toe, into the slope.
+        // The joint goes from the toe into the slope.
         const double dip = degrees(between(20, 45));
         cuts.push_back(cut("joint", line({{0, 0}, {3 * back * std::cos(dip), 3 * back * std::sin(dip)}})));
     }
@@ -50,7 +50,7 @@ inline RelaxationStudy random_slope(std::uint32_t seed) {
     open.friction_angle = degrees(between(8, 50));
     RelaxationJoint intact{};
     intact.friction_angle = degrees(45);
-    // Never reached: how rock that no joint cuts is divided into convex blocks must not matter.
+    // This strength is never reached: the division of intact rock into convex blocks must not matter.
     intact.cohesion = intact.tensile_strength = 1e9;
     slope.joint = {{"joint", {}, open}, {"intact", {}, intact}};
     slope.frame = SlopeFrame{FrameSides::all_around, 0.2 * height, {}, "joint"};
@@ -78,7 +78,7 @@ inline SlopeGeometry& geometry_of(RelaxationStudy& study) {
     return std::get<RelaxationSlope>(study.model.scene).geometry;
 }
 
-// Without water, stages and forces.
+// The study must have no water, stages or forces.
 inline RelaxationStudy mirrored(RelaxationStudy study) {
     const auto mirror = [](std::vector<SectionPoint>& points) {
         for (SectionPoint& point : points) {
@@ -107,7 +107,7 @@ inline RelaxationStudy mirrored(RelaxationStudy study) {
 inline RelaxationStudy with_sets_by_another_trace(RelaxationStudy study) {
     for (SlopeCut& one : geometry_of(study).cut) {
         if (auto* set = std::get_if<JointSetCut>(&one.trace)) {
-            // Two traces down, and some way along them.
+            // The new trace is two spacings further down and some distance along the traces.
             const double down = 2 * set->spacing + set->offset.value_or(0);
             const double along = 0.7 * set->spacing;
             const SectionPoint from = set->through.value_or(SectionPoint{0, 0});
@@ -158,7 +158,8 @@ inline DrawnSlope moved_away(DrawnSlope slope, double by) {
     return slope;
 }
 
-// Forces per metre run go with the square of lengths, and stiffnesses with lengths: overlaps do, too.
+// Forces per metre run are proportional to the square of lengths, and stiffnesses to lengths, so that overlaps are
+// proportional to lengths too.
 inline DrawnSlope scaled(DrawnSlope slope, double by) {
     move_points(slope, [&](const PlanePoint<>& at) { return PlanePoint<>(by * at); });
     for (JointMaterial& joint : slope.scene.material) {
@@ -198,7 +199,7 @@ inline DrawnSlope with_more_vertices(DrawnSlope slope) {
     return slope;
 }
 
-// What only corners hold neither stands nor fails.
+// A slope that only corners hold counts neither as standing nor as failing.
 enum class Verdict { stands, held_by_corners, fails, none };
 
 inline Verdict verdict_of(const DrawnSlope& slope) {
@@ -214,7 +215,7 @@ struct Variant {
     Verdict verdict;
 };
 
-// Of a slope in all the ways that it can be drawn; the first is the slope itself.
+// Verdicts on a slope in all its descriptions; the first is the slope itself.
 inline std::vector<Variant> verdicts_of(const RelaxationStudy& study, std::uint32_t seed) {
     const DrawnSlope slope = drawn(study);
     DrawnSlope on_two_threads = slope;

@@ -1,5 +1,5 @@
-// A study of blocks drawn again as polygons, and other drawings of that, which must not change a critical value: of any
-// scene, also of one with a frame behind it, lines that bound sets, regions, or columns on steps.
+// A study of blocks redrawn as polygons, and variants of it that must not change a critical value. Any scene can be
+// used, also one with a frame behind it, lines that bound sets, regions, or columns on steps.
 #pragma once
 
 #include "dynamic_relaxation/study/relaxation_study.hpp"
@@ -20,7 +20,7 @@ inline RelaxationPolygons& polygons_of(RelaxationStudy& study) {
     return std::get<RelaxationPolygons>(study.model.scene);
 }
 
-// Without water, motion and removals; strength of all joints is searched.
+// The study has no water, motion or removals; the strength of all joints is reduced.
 inline RelaxationStudy as_polygons(RelaxationStudy study) {
     const RelaxationScene scene = relaxation_scene(study);
     RelaxationPolygons polygons{};
@@ -71,7 +71,7 @@ inline RelaxationStudy polygons_mirrored(RelaxationStudy study) {
     move_vertices(study, [](double x, double y) { return std::pair(-x, y); });
     for (RelaxationPolygon& block : polygons_of(study).block) {
         std::vector<RelaxationVertex> turned(block.vertex.rbegin(), block.vertex.rend());
-        // An edge keeps its joint; it begins at what was its end.
+        // An edge keeps its joint; its first vertex is the one that was its last.
         for (std::size_t edge = 0; edge < turned.size(); ++edge) {
             turned[edge].joint = block.vertex[(2 * turned.size() - 2 - edge) % turned.size()].joint;
         }

@@ -55,7 +55,7 @@ std::vector<CaseModel> one_of_each(std::index_sequence<index...>) {
     return {CaseModel(std::in_place_index<index>)...};
 }
 
-// "; it belongs to plane_failure and stepped_base", where other models have the key.
+// "; it belongs to plane_failure and stepped_base" if other models have the key.
 std::string models_that_have(const std::string& key) {
     std::vector<std::string> names;
     for (CaseModel& model : one_of_each(std::make_index_sequence<std::variant_size_v<CaseModel>>{})) {
@@ -125,7 +125,8 @@ void replace_in_model(Section& section, CaseModel& model) {
 CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>& settings,
                    const OutputsOf& outputs_of) {
     if (path == "-") {
-        // The name of the result folder, and the working folder for files that the case names.
+        // The name serves for the result folder, and its lack of a folder means that files named by the case are in the
+        // working folder.
         return parse_case(read_standard_input(), "stdin.toml", settings, outputs_of);
     }
     return parse_case(read_text_file(path), path.string(), settings, outputs_of);
@@ -158,7 +159,7 @@ CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Settin
     std::optional<CaseModel> model = choose_model(root);
     result.sources = read_sources(root);
     if (!model) {
-        // Without a model no other key can be judged.
+        // Without a model no other key can be checked.
         reading.finish();
     }
     result.model = *std::move(model);

@@ -1,4 +1,4 @@
-// A case: what stands in one *.toml file, checked and in SI.
+// A case: the contents of a *.toml file, checked and in SI.
 #pragma once
 
 #include "cases/program/case/model_list.hpp"
@@ -23,17 +23,17 @@
 
 namespace delabole {
 
-// The word after `model =` in a case, and all of them.
+// The word after `model =` in a case, and all possible ones.
 std::string_view model_name(const CaseModel& model);
 std::vector<std::string> model_names();
 
-// The numbers of a case's model by name, with dimension, range, meaning and value; those a fit may set free, a
-// condition may change and `required` may solve for. What a study asks for (its searches) is not among them.
+// The numbers of a case's model by name, with dimension, range, meaning and value. A fit may free them, a condition may
+// change them and `required` may solve for them. The numbers of a study (its searches) are not among them.
 std::vector<Quantity> named_inputs(const CaseModel& model);
 
-// One [[expect]]: a value printed somewhere, to be compared with the computed one.
+// One [[expect]]: a printed value to be compared with the computed one.
 struct Expectation {
-    std::string label;  // what is compared, in words, for reports; empty: the quantity and its conditions
+    std::string label;  // what is compared, for reports; empty: the quantity and its conditions
     std::string quantity;
     WrittenValue value;                        // a number, a quantity or a word such as an outcome's name
     std::optional<WrittenValue> tolerance;     // absolute, of the value's dimension
@@ -41,11 +41,11 @@ struct Expectation {
     std::vector<Condition> conditions;         // inputs that differ from the case's, SI
     std::string source;
     std::string note;
-    std::optional<std::string> unreachable;   // why the printed value cannot be reached: shown, not failed
-    std::optional<Dimension> dimension = {};  // where the model lists the quantity; value and tolerance then convert
+    std::optional<std::string> unreachable;   // why the value cannot be reached: it is shown but does not fail
+    std::optional<Dimension> dimension = {};  // if the model lists the quantity; value and tolerance are then converted
     Place place = {};
 
-    // A word has to be equal; anything else has exactly one tolerance, unless it is unreachable.
+    // A word has to be equal. Any other value has exactly one tolerance, unless it is unreachable.
     bool is_word() const;
     static constexpr auto fields() {
         using E = Expectation;
@@ -63,13 +63,13 @@ struct Expectation {
 };
 
 struct FitMechanism : MechanismTask {
-    CaseModel model = {};  // the case's, with the sections that the mechanism replaces; or one of its own kind
-    std::optional<CaseModel> coarse = {};  // the mechanism's own, with the sections that its coarse model replaces
+    CaseModel model = {};  // the case's model with the sections that the mechanism replaces, or a model of another kind
+    std::optional<CaseModel> coarse = {};  // the mechanism's model with the sections that its coarse model replaces
 };
 
 // [fit], SI throughout.
 struct CaseFit : FitTask {
-    std::vector<FitMechanism> mechanisms;  // at least one; a case without [[fit.mechanism]] has one named as its model
+    std::vector<FitMechanism> mechanisms;  // at least one; without [[fit.mechanism]] one with the model's name
 };
 
 // [report]
@@ -82,7 +82,7 @@ struct ReportSettings {
 };
 
 struct CaseFile {
-    std::string name;  // as the caller named it, for messages
+    std::string name;  // as given by the caller, for messages
     std::string title;
     std::string description;
     CaseModel model;
@@ -93,25 +93,24 @@ struct CaseFile {
     std::optional<SensitivityStudy> sensitivity;  // [sensitivity]
     std::optional<SupportDesign> support_design;  // [support_design]
     std::optional<ReportSettings> report;         // [report]; absent: metric
-    std::map<std::string, KeyPlace> places;       // every key that was read
+    std::map<std::string, KeyPlace> places;       // of every key that was read
 };
 
-// Reads a case file, or standard input where its name is "-", with `settings` (--set) put in place of what the file
-// says. A setting of one choice (as water.filled_ratio) takes the place of the file's other choice (water.water_depth).
-// Throws CaseError with everything that is wrong: unreadable, larger than 4 MiB, not TOML, unknown or missing keys,
-// units, ranges, names.
+// Reads a case file, or standard input if its name is "-". `settings` (--set) replace values of the file; a setting of
+// one alternative (such as water.filled_ratio) replaces the file's other alternative (water.water_depth). Throws
+// CaseError with all problems: unreadable, larger than 4 MiB, not TOML, unknown or missing keys, units, ranges, names.
 CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>& settings = {},
                    const OutputsOf& outputs_of = known_outputs);
 
-// The same for text in memory; `name` stands for the file in messages.
+// The same for text in memory; `name` replaces the name of the file in messages.
 CaseFile parse_case(std::string_view text, std::string_view name, const std::vector<Setting>& settings = {},
                     const OutputsOf& outputs_of = known_outputs);
 
-// The same for a tree that no file was read for.
+// The same for a tree that was not read from a file.
 CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Setting>& settings = {},
                       const OutputsOf& outputs_of = known_outputs);
 
-// A complaint about a value that only the model could judge, at the place where the case gives it.
+// A complaint about a value that only the model could judge, with the place of the value in the case.
 Problem problem_at(const CaseFile& case_file, const std::string& key, std::string message);
 
 }  // namespace delabole

@@ -1,4 +1,4 @@
-// The parts of a case that are not its model; used by case_file.cpp only.
+// The parts of a case other than its model; used by case_file.cpp only.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
@@ -11,7 +11,7 @@
 
 namespace delabole {
 
-// Complains about each name of a list that an earlier element has, too.
+// Complains about each name in a list that an earlier element also has.
 template <class Element, class Name>
 void check_unique(Reading& reading, const std::string& list, const std::vector<Element>& elements, Name name,
                   const std::string& key, const std::string& complaint) {
@@ -24,7 +24,7 @@ void check_unique(Reading& reading, const std::string& list, const std::vector<E
     }
 }
 
-// Complains about each text of a list that is there and empty.
+// Complains about each text in a list that is given but empty.
 template <class Element, class Text>
 void check_not_empty(Reading& reading, const std::string& list, const std::vector<Element>& elements, Text text,
                      const std::string& key) {
@@ -37,7 +37,7 @@ void check_not_empty(Reading& reading, const std::string& list, const std::vecto
     }
 }
 
-// Complains about a name that is not among those of a list's elements.
+// Complains about a name that no element of a list has.
 template <class Element, class Name>
 void check_among(Reading& reading, const std::string& key, const std::string& name,
                  const std::vector<Element>& elements, Name name_of, std::string_view complaint) {
@@ -58,25 +58,24 @@ std::vector<CaseSweep> read_sweeps(Section& root, const ModelNames& names);
 void write_sweep(std::string& text, const CaseSweep& sweep);
 
 std::vector<Expectation> read_expectations(Section& root, const ModelNames& names);
-// Puts what mechanisms have from those that they are `like` in their place in the tree.
+// Copies into each mechanism with `like` the parts of the other mechanism that it does not replace.
 void copy_alike_mechanisms(Node& tree, Reading& reading);
-// Each reads its own section.
+// Each of these reads its own section.
 CaseFit read_fit(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of);
 SupportDesign read_support_design(Section& section, const CaseModel& model, const ModelNames& names);
 SensitivityStudy read_sensitivity(Section& section, const ModelNames& names);
-// The keys that need not exist are checked after everything else was read.
+// Sources may refer to any key, so they are checked after everything else was read.
 std::map<std::string, std::string> read_sources(Section& root);
 void check_sources(Reading& reading, const std::map<std::string, std::string>& sources);
 
-// An empty model of the kind that `model = ...` names; complains where there is none.
+// An empty model of the kind that `model = ...` names; complains if there is no such kind.
 std::optional<CaseModel> choose_model(Section& section);
-// Reads what a mechanism or the case says of its model.
+// read_model reads all sections of a model; replace_in_model only those that are given.
 void read_model(Section& section, CaseModel& model);
 void replace_in_model(Section& section, CaseModel& model);
 
-// Completes a model that was read without a complaint: puts what files beside the case hold in the place of their
-// names, then checks what concerns several inputs at once. `prefix` is the mechanism's path with a dot, or empty for
-// the case.
+// Completes a model that was read without a complaint: reads the files that it names, then checks what concerns several
+// inputs together. `prefix` is the mechanism's path with a dot, or empty for the case.
 void complete_model(Reading& reading, CaseModel& model, const std::filesystem::path& case_path,
                     const std::string& prefix);
 

@@ -1,4 +1,4 @@
-// The commented template of a model: an example that is a valid case, and everything else as comments.
+// The commented template of a model: a valid example case, with everything else as comments.
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/case/starting_cases.hpp"
@@ -23,7 +23,7 @@ struct ExampleValue {
     }
 };
 
-// Stands for the name of an input; commented_template replaces it where the model has none of that name.
+// Example name of an input; commented_template replaces it if the model has no input of that name.
 constexpr std::string_view example_input = "strength.friction_angle";
 
 double example_number(const FieldInfo& info) {
@@ -84,7 +84,7 @@ std::string commented(std::string_view text) {
     return result;
 }
 
-// `value` with its explanation behind it.
+// `line` followed by its explanation.
 std::string explained(const std::string& line, const std::string& explanation) {
     constexpr std::size_t explanation_column = 36;
     const std::size_t padding = line.size() < explanation_column ? explanation_column - line.size() : 2;
@@ -99,7 +99,7 @@ std::string header_of(const std::string& path) {
     return std::string(1, '[').append(path).append(1, ']');
 }
 
-// `named`: the dimension of what the section around names.
+// `named` is the dimension of the quantity that the section around names.
 template <Described Object>
 std::string annotated_values(const Object& object, Dimension named = Dimension::ratio);
 template <Described Object>
@@ -116,7 +116,7 @@ std::string explanation_of(const FieldInfo& info) {
     return std::string(info.meaning) + (allowed.empty() ? "" : "; " + allowed);
 }
 
-// Values that a case leaves out stand there with an example, as comments.
+// Keys that the case leaves out appear as comments with an example.
 template <class Member>
 std::string annotated_value(const FieldInfo& info, const Member& member, Dimension named) {
     if constexpr (is_optional<Member>) {
@@ -222,7 +222,8 @@ std::string annotated_section(const FieldInfo& info, const Member& member, const
     return {};
 }
 
-// Calls visit(field info, member, dimension named), the info with the dimension that its values have here.
+// Calls visit(field info, member, dimension named) for each field; the info has the dimension of the values in this
+// place.
 template <Described Object, class Visit>
 void visit_annotated(const Object& object, Dimension named, Visit&& visit) {
     const Dimension own = detail::dimension_named(object, named);
@@ -251,7 +252,7 @@ std::string annotated_sections(const Object& object, const std::string& path, Di
     return text;
 }
 
-// A back-analysis and a sensitivity study of a starting case, with all that they may ask for.
+// The sections of a back-analysis and a sensitivity study of starting cases, with all their possible keys.
 std::string annotated_studies() {
     const CaseFit fit = *parse_case(starting_case("fit"), "fit").fit;
     std::string text = after_blank_line(explained("[fit]", "delabole fit"));
@@ -263,7 +264,7 @@ std::string annotated_studies() {
     const CaseFile supported = parse_case(starting_case("support"), "support");
     text += after_blank_line(explained("[sensitivity]", "delabole sensitivity"));
     text += annotated_values(*supported.sensitivity) + annotated_sections(*supported.sensitivity, "sensitivity");
-    // It is of no use without [[support]], so it is a comment even where the rest is not.
+    // [support_design] is useless without [[support]], so it is always a comment.
     return text + "\n" +
            commented(explained("[support_design]", "the cheapest of the patterns of [[support]]") +
                      annotated_values(*supported.support_design) +
@@ -279,7 +280,7 @@ std::string with_input_of(const CaseModel& model, std::string text) {
                                   [](const Quantity& input) { return input.name.ends_with(".friction_angle"); });
     for (std::size_t at = text.find(example_input); own != inputs.rend() && at != std::string::npos;
          at = text.find(example_input, at + own->name.size())) {
-        // Behind a dot it ends a longer name.
+        // After a dot it is the end of a longer name.
         if (text[at - 1] != '.') {
             text.replace(at, example_input.size(), own->name);
         }

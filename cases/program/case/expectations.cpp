@@ -1,4 +1,4 @@
-// [sources] and [[expect]], and the names they use.
+// [sources] and [[expect]], and the names that they refer to.
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
 

@@ -1,4 +1,4 @@
-// [[fit.mechanism]] with `like`: a rival that differs from an earlier mechanism in a few values.
+// [[fit.mechanism]] with `like`: a mechanism that differs from an earlier one in a few values.
 #include "cases/program/case/case_parts.hpp"
 
 #include "cases/program/reader/section.hpp"
@@ -11,7 +11,7 @@ namespace delabole {
 
 namespace {
 
-// Each is as large as the one that it is like: a small file must not become a large case.
+// Limit of copies. Each is as large as the mechanism that it copies, and a small file must not become a huge case.
 constexpr std::size_t most_alike = 20;
 
 Node* mechanisms_in(Node& tree) {
@@ -20,7 +20,7 @@ Node* mechanisms_in(Node& tree) {
     return mechanisms != nullptr && mechanisms->kind == Node::Kind::array ? mechanisms : nullptr;
 }
 
-// An earlier mechanism of that name; null, with a complaint, where there is none.
+// The earlier mechanism of that name; complains and returns null if there is none.
 const Node* find_like(const std::vector<Node>& mechanisms, std::size_t index, const Node& like, const std::string& path,
                       Reading& reading) {
     const std::optional<std::string> name = read_text(reading, like, path);

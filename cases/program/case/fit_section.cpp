@@ -1,4 +1,4 @@
-// [fit]: what was observed, what is free, how to search.
+// [fit]: what was observed, what is free, and how to search.
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
 
@@ -56,7 +56,7 @@ void check_profile(Reading& reading, const ProfileObservation& profile) {
     }
 }
 
-// Checks what concerns several keys at once.
+// Checks that concern several keys together.
 void check_fit(Section& section, const CaseFit& fit) {
     Reading& reading = section.reading();
     check_unique(reading, "fit.mechanism", fit.mechanisms, &FitMechanism::name, "name", "names two mechanisms");
@@ -111,7 +111,7 @@ FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const O
     if (section.contains("model")) {
         std::optional<CaseModel> own = choose_model(section);
         if (!own) {
-            // Without a model no other key of the mechanism can be judged.
+            // Without a model none of the mechanism's other keys can be checked.
             section.reading().finish();
         }
         mechanism.model = *std::move(own);

@@ -12,7 +12,7 @@
 
 namespace delabole {
 
-// The complaint stands at the mechanism's own key where it has one, otherwise at the case's.
+// The complaint is placed at the mechanism's own key if it has one, otherwise at that of the case.
 void Checker::complain(const std::string& key, std::string message) {
     reading_->complain_at(reading_->knows(prefix_ + key) ? prefix_ + key : key, std::move(message));
 }

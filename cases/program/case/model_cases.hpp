@@ -1,4 +1,4 @@
-// What the reader needs of each model beyond its table of fields. Each model has these functions in its own
+// Functions that the reader needs for each model besides its table of fields. Each model defines them in its own
 // models/<model>/case.cpp.
 #pragma once
 
@@ -21,7 +21,7 @@ class Checker {
   public:
     Checker(Reading& reading, std::string prefix) : reading_(&reading), prefix_(std::move(prefix)) {}
 
-    // The complaint stands at the mechanism's own key where it has one, otherwise at the case's.
+    // The complaint is placed at the mechanism's own key if it has one, otherwise at that of the case.
     void complain(const std::string& key, std::string message);
 
   private:
@@ -29,14 +29,14 @@ class Checker {
     std::string prefix_;
 };
 
-// Complains about a number that is there and not whole.
+// Complains about a number that is given but not whole.
 void check_whole(Checker& checker, const std::string& key, const std::optional<double>& number);
 
-// Complains where a search's lower_<input> is not below its upper_<input>; `search` is its key.
+// Complains if a search's lower_<input> is not below its upper_<input>; `search` is the key of the search.
 void check_bounds(Checker& checker, const std::string& search, const std::string& input,
                   const std::optional<double>& lower, const std::optional<double>& upper);
 
-// Complains about the first point whose coordinate does not exceed the one before.
+// Complains about the first point whose coordinate does not exceed that of the point before.
 template <class Point, class Coordinate>
 void check_increasing(Checker& checker, const std::vector<Point>& points, Coordinate coordinate, const std::string& key,
                       const std::string& name) {
@@ -48,7 +48,7 @@ void check_increasing(Checker& checker, const std::vector<Point>& points, Coordi
     }
 }
 
-// Complains about a water level that is given as an elevation where the toe has none.
+// Complains about a water level given as an elevation if the toe has none.
 template <class Water>
 void check_water_level(Checker& checker, const Water& water, bool toe_has_elevation) {
     std::visit(
@@ -63,7 +63,7 @@ void check_water_level(Checker& checker, const Water& water, bool toe_has_elevat
         water);
 }
 
-// Complains about surcharges that end where they begin or before.
+// Complains about surcharges whose end is not beyond their beginning.
 template <class Surcharge>
 void check_surcharges(Checker& checker, const std::vector<Surcharge>& surcharges) {
     for (std::size_t index = 0; index < surcharges.size(); ++index) {
@@ -73,17 +73,17 @@ void check_surcharges(Checker& checker, const std::vector<Surcharge>& surcharges
     }
 }
 
-// Complains where a law of shear strength adds angles to 90 deg or more; `section` is its key.
+// Complains if the angles of a law of shear strength add up to 90 deg or more; `section` is its key.
 void check_strength(Checker& checker, const std::string& section, const StrengthLaw<>& strength);
 
-// Complains about rows that are not whole or lie above the crest.
+// Complains about a number of rows that is not whole and about rows above the crest.
 void check_support(Checker& checker, const std::string& key, const BoltPattern<>& pattern, double slope_height);
 
-// Complains unless each [[required]] names inputs of the case, each once, of one dimension.
+// Complains unless each [[required]] names inputs of the case, each only once and all of one dimension.
 void check_required(Checker& checker, const std::vector<RequiredValue<>>& requests, const CaseModel& model);
 
-// Puts what files in the case's folder hold in the place of their names. `prefix` is what the keys of the model begin
-// with. Only slopes, records of shaking and measured poles are read from files.
+// Replaces file names by the contents of files in the case's folder. `prefix` is the beginning of the model's keys.
+// Only slopes, records of shaking and measured poles are read from files.
 template <class Model>
 void take_files(Reading& /*reading*/, Model& /*model*/, const std::filesystem::path& /*folder*/,
                 const std::string& /*prefix*/) {}
@@ -92,8 +92,8 @@ void take_files(Reading& reading, KinematicsStudy& study, const std::filesystem:
 void take_files(Reading& reading, RelaxationStudy& study, const std::filesystem::path& folder,
                 const std::string& prefix);
 
-// Complains about what several inputs say together, as far as that can be judged without running the model. Some models
-// have nothing of the kind.
+// Complains about combinations of inputs, as far as they can be judged without running the model. Some models have no
+// such check.
 template <class Model>
 void check_case(Checker& /*checker*/, const Model& /*model*/) {}
 void check_case(Checker& checker, const PlaneFailureStudy<>& study);
@@ -106,8 +106,8 @@ void check_case(Checker& checker, const FlexuralSlope& slope);
 void check_case(Checker& checker, const SteppedPath& path);
 void check_case(Checker& checker, const WedgeFailureStudy<>& study);
 
-// All that the model can answer, whatever a case asks of it: what its interface names, unless that depends on more than
-// how many parts it has. The values of the model may be out of their ranges.
+// All outputs that the model can have, whatever a case asks for. These are the outputs of its interface unless that
+// depends on more than the number of parts. The values of the model may be out of their ranges.
 template <class Model>
 std::vector<Quantity> possible_outputs(const Model& model) {
     return model_interface(model).outputs;

@@ -1,5 +1,5 @@
-// The models a case may name. A new one is added here, and gets a models/<model>/case.cpp and report.cpp: see
-// model_cases.hpp and model_reports.hpp for what they hold.
+// The models that a case may name. To add one, list it here and give it a models/<model>/case.cpp and report.cpp with
+// the functions in model_cases.hpp and model_reports.hpp.
 #pragma once
 
 #include "dynamic_relaxation/study/relaxation_study.hpp"

@@ -1,5 +1,5 @@
-// Names and dimensions of what the models answer, as far as the reader has to know them: to convert the values of
-// [[expect]] and [[fit.observation]].
+// Names and dimensions of the models' outputs, which the reader needs to convert the values of [[expect]] and
+// [[fit.observation]].
 #pragma once
 
 #include "cases/program/case/model_list.hpp"
@@ -10,7 +10,7 @@
 
 namespace delabole {
 
-// Outputs of a model as it was read; the programs may pass their models' own lists.
+// Outputs of a model after reading; programs may pass lists of their own.
 using OutputsOf = std::function<std::vector<Quantity>(const CaseModel& model)>;
 
 std::vector<Quantity> known_outputs(const CaseModel& model);

@@ -1,4 +1,4 @@
-// [sensitivity]: what is uncertain and how, which quantity is studied, what is computed.
+// [sensitivity]: what is uncertain and how, which quantity is studied, and which analyses are made.
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
 #include "cases/program/reader/names.hpp"
@@ -8,7 +8,7 @@
 namespace delabole {
 namespace {
 
-// Checks what concerns several keys at once and is known to be wrong without the model.
+// Checks that concern several keys together and need no model.
 void check_sensitivity(Reading& reading, const SensitivityStudy& study) {
     std::vector<std::string> names;
     for (std::size_t index = 0; index < study.parameters.size(); ++index) {
@@ -41,7 +41,7 @@ SensitivityStudy read_sensitivity(Section& section, const ModelNames& names) {
     }
     for (UncertainParameter& parameter : study.parameters) {
         if (has_limits(parameter.distribution.law)) {
-            // They were read with the law's own keys of the same names.
+            // These limits were read into the law's own members of the same names.
             parameter.distribution.lower.reset();
             parameter.distribution.upper.reset();
         }

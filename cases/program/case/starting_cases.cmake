@@ -1,4 +1,4 @@
-# Builds the cases to start from into the program, and the examples that templates are made of.
+# Embeds in the program the cases to start from and the examples for templates.
 set(models plane_failure stepped_base stepped_path single_block block_row tilted_column kinematics relaxation
     flexural_toppling wedge)
 set(starting_cases "")

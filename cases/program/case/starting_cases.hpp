@@ -1,4 +1,4 @@
-// Short cases to start from: what `delabole init` writes, the files of cases/starting/, when the program was built.
+// Short cases to start from, which `delabole init` writes: the files of cases/starting/, embedded in the program.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace delabole {
 
-// Names of models, and of what else there is a case for: a slope cut by joints, a back-analysis, a sensitivity study.
+// Names of models and of the other starting cases: a slope cut by joints, a back-analysis, a sensitivity study.
 std::vector<std::string> starting_case_names();
 
-// A valid case of a page. Throws std::invalid_argument for other names.
+// A valid short case. Throws std::invalid_argument for other names.
 std::string starting_case(std::string_view name);
 
-// The commented template of a model is made of this valid case. From [sources] or [[expect]] on, its text stands in the
-// template as comments.
+// The valid case from which the commented template of a model is made. In the template, everything from [sources] or
+// [[expect]] on becomes comments.
 std::string template_case(std::string_view model);
 
-// Table of values for keys that such a case does not have.
+// Table of example values for keys that such a case does not have.
 extern const std::string_view template_values;
 
 }  // namespace delabole

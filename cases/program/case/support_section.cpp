@@ -1,4 +1,4 @@
-// [support_design]: the support that may be chosen, what it costs, the factor of safety that it is to give.
+// [support_design]: the choices of support, their cost, and the factor of safety to be reached.
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
 #include "cases/program/reader/units.hpp"

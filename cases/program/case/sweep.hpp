@@ -1,4 +1,5 @@
-// [[sweep]]: outputs of the case over one or two of its inputs, drawn and tabulated, and what is printed of them.
+// [[sweep]]: outputs of the case over one or two of its inputs, drawn and tabulated, and printed values to compare
+// with.
 #pragma once
 
 #include "cases/program/reader/document.hpp"
@@ -19,12 +20,12 @@ namespace delabole {
 struct SweptInput {
     std::string input;
     std::vector<std::string> also;  // further inputs of its dimension that take its value
-    std::optional<double> from;     // equally spaced up to `to`
+    std::optional<double> from;     // first of the equally spaced values
     std::optional<double> to;
     std::optional<std::int64_t> points;
-    std::vector<double> listed;  // in place of from, to and points
+    std::vector<double> listed;  // replaces from, to and points
     std::string axis;            // title of its axis with the unit; empty: its name and display unit
-    std::string unit;            // in which the axis counts; empty: the display unit
+    std::string unit;            // unit of the axis; empty: the display unit
     Dimension dimension = Dimension::ratio;
     std::vector<double> values = {};  // all of them, increasing, at least two
     double si_per_unit = 1;
@@ -47,7 +48,7 @@ struct SweptInput {
     }
 };
 
-// A dashed curve has the colour of the solid one before it, a dotted one is a reference in grey.
+// A dashed curve has the colour of the solid curve before it; a dotted curve is a grey reference.
 enum class CurveDash { solid, dashed, dotted };
 
 struct SweepCurve {
@@ -64,7 +65,7 @@ struct SweepCurve {
     }
 };
 
-// Points as they are printed, in the units of the axes; of few points that stand for a curve, a line.
+// Points as they are printed, in the units of the axes. Points that stand for a curve are joined by a line.
 struct PrintedPoints {
     std::string label;
     std::string source;
@@ -80,14 +81,14 @@ struct PrintedPoints {
     }
 };
 
-// A printed remark on curves, to be tested.
+// A printed remark on curves, which is tested.
 struct CurveRemark {
     std::string label;
     std::string curve;
     std::string other;
     std::string source;
     std::string note;
-    std::optional<std::string> unreachable;  // why it is not met: shown, not failed
+    std::optional<std::string> unreachable;  // why the remark cannot be met: then it is shown but does not fail
     static constexpr auto fields() {
         using R = CurveRemark;
         return std::tuple{section("label", &R::label, "what is compared, in words"),
@@ -99,10 +100,10 @@ struct CurveRemark {
     }
 };
 
-// Where two curves meet first, and where they are printed to meet; SI.
+// The first point where two curves meet, and the printed one; SI.
 struct CurveCrossing : CurveRemark {
     std::optional<double> printed;    // of the input
-    std::optional<double> tolerance;  // there where something is printed that can be reached
+    std::optional<double> tolerance;  // needed for a printed value that can be reached
     static constexpr auto fields() {
         using C = CurveCrossing;
         return std::tuple_cat(
@@ -114,8 +115,8 @@ struct CurveCrossing : CurveRemark {
 
 enum class CurveRelation { falls, rises, below, above };
 
-// A printed statement on a curve, wherever there are values; or on crossings over `each`. A curve is below or above
-// another.
+// A printed statement that holds at all points of a curve with values, or for crossings over `each`: the curve falls or
+// rises, or lies below or above another curve.
 struct CurveStatement : CurveRemark {
     CurveRelation relation = CurveRelation::falls;
     static constexpr auto fields() {
@@ -124,17 +125,17 @@ struct CurveStatement : CurveRemark {
     }
 };
 
-// The figures that are drawn of a sweep with `each`.
+// Which figures of a sweep with `each` are drawn.
 enum class SweepDrawing { all, crossings };
 
 struct SweepInputs {
-    std::string name;  // of its files
+    std::string name;  // of the sweep's files
     std::string title;
     std::string caption;
     std::string output_axis;           // title of the axis of outputs; empty: the output's name
     std::optional<SweepDrawing> draw;  // absent: all
-    std::vector<SweptInput> vary;      // the first along the axis; of a second one a curve for each value, or a map
-    std::optional<SweptInput> each;    // a figure for each of its values, and one of the crossings over them
+    std::vector<SweptInput> vary;  // the first is the axis; a second one gives a curve for each of its values, or a map
+    std::optional<SweptInput> each;  // gives a figure for each of its values, and one of the crossings over them
     static constexpr auto fields() {
         using S = SweepInputs;
         return std::tuple{section("name", &S::name, "name of its files"),

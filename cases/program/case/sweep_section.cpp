@@ -1,4 +1,4 @@
-// [[sweep]]: which inputs vary, which outputs are drawn, what is printed of them.
+// [[sweep]]: which inputs vary, which outputs are drawn, and which printed values belong to them.
 #include "cases/program/case/sweep.hpp"
 
 #include "cases/program/case/case_parts.hpp"
@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t most_analyses = 1'000'000;  // of a sweep
 constexpr std::size_t most_of_a_kind = 100;       // sweeps of a case, curves of a sweep and so on
 
-// Finds the values of an input as it was read; false, with a complaint, where there are none.
+// Finds the values that an input takes; complains and returns false if there are none.
 bool find_values(Reading& reading, const std::string& path, const ModelNames& names, SweptInput& swept) {
     const Quantity* input = find_quantity(names.inputs, swept.input);
     if (input == nullptr) {
@@ -53,7 +53,7 @@ bool find_values(Reading& reading, const std::string& path, const ModelNames& na
     return swept.values.size() > 1;
 }
 
-// Whether there are too many of something to be read, let alone drawn.
+// Whether a list has too many elements to be read.
 bool too_many(Section& section, std::string_view key) {
     const Node* all = section.peek(key);
     if (all == nullptr || all->elements.size() <= most_of_a_kind) {
@@ -63,7 +63,7 @@ bool too_many(Section& section, std::string_view key) {
     return true;
 }
 
-// Reads the curves, once it is known which quantity the numbers of crossings belong to.
+// Reads the curves. It needs to know the input along the axis, since the numbers of crossings are values of it.
 void read_curves(Section& section, const ModelNames& names, CaseSweep& sweep) {
     const std::string output = read_optional_text(section, "output");
     section.name_quantity(sweep.vary.empty() ? nullptr : find_quantity(names.inputs, sweep.vary.front().input));
@@ -128,7 +128,7 @@ void check_curves(Reading& reading, const std::string& path, const CaseSweep& sw
     }
 }
 
-// Checks what concerns several keys at once.
+// Checks that concern several keys together.
 void check_sweep(Section& section, const std::vector<CaseSweep>& before, const CaseSweep& sweep) {
     Reading& reading = section.reading();
     const std::string& path = section.path();

@@ -21,10 +21,10 @@ namespace delabole {
 
 namespace {
 
-// Only the result tells what a model answers under the conditions of an entry: what is nearly the name of an output is
-// asked about, not refused.
+// Some outputs exist only under the conditions of an entry, so a quantity that resembles the name of an output leads to
+// a question and not to an error.
 std::vector<std::string> doubts_about_expectations(const CaseFile& file) {
-    std::vector<std::string> outputs;  // found where they are needed: for that a slope is cut
+    std::vector<std::string> outputs;  // computed only if needed, because a slope may have to be cut for it
     std::vector<std::string> doubts;
     for (const Expectation& expected : file.expectations) {
         if (expected.dimension || !(expected.tolerance || expected.relative_tolerance)) {
@@ -95,7 +95,7 @@ ExitCode show_command(const std::filesystem::path& path, const Options& options)
 
 namespace {
 
-// The case of that file, or the template of that model.
+// The case in that file, or the template of the model with that name.
 CaseFile case_or_model(const std::string& what, const Options& options) {
     const std::vector<std::string> models = model_names();
     if (std::ranges::find(models, what) != models.end()) {
@@ -152,7 +152,8 @@ ExitCode init_command(const std::string& name, const Options& options) {
         std::cout << text;
         return ExitCode::ok;
     }
-    std::error_code ignored;  // what cannot be looked at cannot be written either, and the writer says why
+    // if the file cannot be examined it cannot be written either, and write_file_atomically reports why
+    std::error_code ignored;
     if (std::filesystem::exists(options.out, ignored)) {
         throw OutputError(options.out, "it exists already and is not overwritten");
     }

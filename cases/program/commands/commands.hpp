@@ -10,28 +10,28 @@
 
 namespace delabole {
 
-// Each may throw UsageError (usage), CaseError (invalid_case) and OutputError (output_failure).
+// All of them may throw UsageError (usage), CaseError (invalid_case) and OutputError (output_failure).
 ExitCode run_command(const Paths& cases, const Options& options);
 ExitCode fit_command(const std::filesystem::path& path, const Options& options);
 ExitCode recover_command(const std::filesystem::path& path, const Options& options);
 ExitCode sensitivity_command(const std::filesystem::path& path, const Options& options);
 ExitCode trade_command(const std::filesystem::path& path, const Options& options);
-// An output over one or two inputs (options.vary), in place of the sweeps of the case.
+// Computes an output over one or two inputs (options.vary) instead of the sweeps of the case.
 ExitCode grid_command(const std::filesystem::path& path, const Options& options);
-// Two cases: inputs and outputs that differ.
+// Compares two cases: inputs and outputs that differ.
 ExitCode compare_command(const Paths& cases, const Options& options);
-// Serves a page on which the case is changed and answers, until it is interrupted.
+// Serves a page on which the user changes the case and sees the answers, until it is interrupted.
 ExitCode live_command(const std::filesystem::path& path, const Options& options);
 ExitCode check_command(const Paths& cases, const Options& options);
 ExitCode show_command(const std::filesystem::path& path, const Options& options);
 ExitCode init_command(const std::string& name, const Options& options);
-// Lists the inputs of a model, by its name, or of the model of a case file.
+// Lists the inputs of a model, given by its name or by a case file.
 ExitCode inputs_command(const std::string& what, const Options& options);
 ExitCode outputs_command(const std::string& what, const Options& options);
 ExitCode verify_command(const Paths& cases, const Options& options);
 ExitCode reproduce_command(const std::string& what, const Options& options);
 
-// Names that `reproduce` accepts, with a line on each.
+// Names that `reproduce` accepts, each with one line of description.
 std::vector<std::pair<std::string, std::string>> reproducible();
 
 }  // namespace delabole

@@ -21,7 +21,7 @@ namespace delabole {
 
 namespace {
 
-// Something that has a name in either case, as an input or an output.
+// An input or output that either case has.
 struct Compared {
     std::string name;
     Dimension dimension = Dimension::ratio;
@@ -45,7 +45,7 @@ std::string change_of(const Compared& one) {
     return before == nullptr || after == nullptr ? "" : value_in_words(*after - *before, one.dimension);
 }
 
-// Lists in the order of the first case; what the second has alone follows.
+// Pairs in the order of the first list, followed by those that only the second has.
 template <class List, class ValueOf>
 std::vector<Compared> pair_up(const List& first, const List& second, const ValueOf& value_of) {
     std::vector<Compared> pairs;
@@ -70,7 +70,7 @@ struct CaseInput {
     Cell value;
 };
 
-// Texts and switches of a tree that are no numbers with a unit.
+// Adds the texts and switches of a tree, but no numbers with a unit.
 void add_words(const Node& node, const std::string& name, const std::set<std::string>& numbers,
                std::vector<CaseInput>& inputs) {
     for (const auto& [key, value] : node.entries) {
@@ -88,7 +88,7 @@ void add_words(const Node& node, const std::string& name, const std::set<std::st
     }
 }
 
-// Words before numbers: of which kind something is says what its numbers mean.
+// Words come before numbers, because the kind of a part determines the meaning of its numbers.
 std::vector<CaseInput> inputs_of_case(const CaseFile& file) {
     std::vector<CaseInput> inputs;
     std::set<std::string> numbers;
@@ -114,7 +114,7 @@ Analysis analysis_of_case(const CaseFile& file, const Options& options) {
     return analysis;
 }
 
-// Rows of what differs, below the word for what they are; and as JSON under it.
+// Adds rows for the pairs that differ, below a heading, and the same to the JSON.
 void add(const std::string& word, const std::vector<Compared>& pairs, std::vector<std::vector<std::string>>& rows,
          Json& json) {
     std::size_t same = 0;

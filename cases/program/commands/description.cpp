@@ -22,7 +22,7 @@ std::vector<std::string> option_names(const DescribedCommand& command) {
     return names;
 }
 
-// Names of all options whose value is called so, as alternatives of a case statement; never empty.
+// Names of all options whose value has this name, as alternatives of a case statement; never empty.
 std::string options_with_value(const DescribedProgram& program, std::string_view value) {
     std::vector<std::string> names;
     for (const DescribedCommand& command : program.commands) {
@@ -37,7 +37,7 @@ std::string options_with_value(const DescribedProgram& program, std::string_view
     return names.empty() ? "''" : joined(names, "|");
 }
 
-// Text as troff takes it: no line is a request, hyphens are those that can be typed.
+// Text escaped for troff: no line is a request, and hyphens are those on a keyboard.
 std::string troff(std::string_view text) {
     std::string escaped;
     bool line_begins = true;
@@ -57,7 +57,7 @@ std::string troff(std::string_view text) {
     return escaped;
 }
 
-// Text whose line breaks mean something.
+// Text whose line breaks are kept.
 std::string troff_lines(std::string_view text) {
     return ".nf\n" + troff(text) + "\n.fi\n";
 }

@@ -1,4 +1,4 @@
-// A description of the program in plain words, and the texts made from it: completion and the manual page.
+// A description of the program, and the texts made from it: completion and the manual page.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct DescribedCommand {
     std::string meaning;
     std::string argument = {};            // "CASE"; empty for none
     std::string argument_meaning = {};    //
-    std::vector<std::string> words = {};  // that the argument may be, beside a file
+    std::vector<std::string> words = {};  // words that the argument may be, besides a file
     std::vector<DescribedOption> options = {};
     std::string footer = {};  // an example
 };
@@ -29,8 +29,8 @@ struct DescribedProgram {
     std::vector<DescribedCommand> commands;
 };
 
-// A script for bash, to be sourced: completes commands, options, the words that arguments may be, folders where a
-// folder is asked for, and case files.
+// A script for bash, to be sourced. It completes commands, options, words for arguments, folders where a folder is
+// asked for, and case files.
 std::string bash_completion(const DescribedProgram& program);
 
 // A manual page for man, section 1.

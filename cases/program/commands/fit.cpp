@@ -28,7 +28,7 @@ auto with_progress(const Options& options, Work&& work) {
     });
 }
 
-// The reason why a result is not the answer; empty where it is.
+// The reason why a result is not a reliable answer; empty if it is.
 std::string reservation_of_fit(const std::string& status) {
     if (status == "interrupted") {
         return "interrupted: the back-analysis was stopped early; what it had found is shown";
@@ -47,7 +47,7 @@ std::string reservation_of_fit(const std::string& status) {
     return {};
 }
 
-// Leaves those that are asked for. Returns the names of those that wait to be asked for.
+// Keeps the mechanisms that are asked for. Returns the names of costly ones that were left out.
 std::vector<std::string> choose_mechanisms(CaseFit& fit, const Options& options) {
     if (options.mechanisms.empty()) {
         return options.with_costly ? std::vector<std::string>() : leave_out_costly(fit);
@@ -56,7 +56,7 @@ std::vector<std::string> choose_mechanisms(CaseFit& fit, const Options& options)
     return {};
 }
 
-// Tells of mechanisms that were not fitted.
+// A sentence on the mechanisms that were not fitted.
 std::string left_out_in_words(const std::vector<std::string>& names) {
     return "Left out: " + list_in_words(names) +
            ". Every prediction is a run of dynamic relaxation; --with-costly fits such mechanisms too, in minutes.";

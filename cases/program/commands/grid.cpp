@@ -30,12 +30,12 @@ std::vector<std::string> split(std::string_view text, char separator) {
     }
 }
 
-// A number by itself, anything else in quotes.
+// A number unchanged, any other text in quotes.
 std::string toml_value(const std::string& text) {
     return bare_number(text) ? text : in_quotes(text);
 }
 
-// input=from:to[:points] or input=value,value,... as an element of sweep.vary.
+// Turns input=from:to[:points] or input=value,value,... into an element of sweep.vary.
 std::string vary_of(const std::string& option) {
     const std::size_t equals = option.find('=');
     const std::string values = equals == std::string::npos ? "" : option.substr(equals + 1);
@@ -59,7 +59,7 @@ std::string vary_of(const std::string& option) {
     return text + " }";
 }
 
-// The sweep of the command line, in place of those of the case.
+// The sweep given on the command line, which replaces those of the case.
 Setting sweep_of(const Options& options) {
     if (options.vary.empty() || options.vary.size() > 2) {
         throw UsageError("grid: needs one or two --vary");

@@ -17,7 +17,8 @@ namespace delabole {
 
 namespace {
 
-// Opens the address where there is a screen. Whether it works does not matter: the address is printed.
+// Opens the address in a browser if there is a screen. A failure does not matter, because the address is printed as
+// well.
 void open_in_browser(std::string address) {
     if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
         return;

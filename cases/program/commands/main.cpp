@@ -1,4 +1,4 @@
-// Arguments in, exit code out; everything else is in the commands.
+// Parses the arguments, calls the command and returns the exit code.
 #include "cases/program/case/case_file.hpp"
 #include "cases/program/case/starting_cases.hpp"
 #include "cases/program/commands/commands.hpp"
@@ -40,12 +40,13 @@ int code(ExitCode exit_code) {
     return static_cast<int>(exit_code);
 }
 
-// CLI11 takes -1 for the largest number there is, and anything too large as well. Empty where all is well.
+// CLI11 converts -1, and any number that is too large, to the largest number. Empty if the text is a valid seed.
 std::string is_seed(const std::string& text) {
     return delabole::bare_number<std::uint64_t>(text) ? "" : text + " is not an integer from 0 to 2^64 - 1";
 }
 
-// Before the parser, which has no words for it: no command, or one that is mistyped. Empty where there is a command.
+// Checked before parsing, because the parser has no message for a missing or mistyped command. Empty if there is a
+// command.
 std::string missing_command(const CLI::App& app, int argument_count, char** arguments) {
     if (argument_count < 2) {
         return "which command? To begin: delabole init plane_failure --out my_slope.toml, then\n"
@@ -116,7 +117,7 @@ std::string reproduce_help() {
     return text;
 }
 
-// Words that the argument of a command may be, apart from files.
+// Words that a command accepts as its argument besides files.
 std::vector<std::string> words_for(const std::string& command) {
     if (command == "init") {
         return delabole::starting_case_names();
@@ -152,7 +153,7 @@ delabole::DescribedCommand described_command(const CLI::App& command) {
             own.names.push_back("--" + name);
         }
         if (option->get_items_expected_max() > 0) {
-            // Behind the colon CLI11 says what it checks.
+            // CLI11 puts the condition that it checks after a colon.
             own.value = option->get_type_name().substr(0, option->get_type_name().find(':'));
         }
         described.options.push_back(std::move(own));
@@ -164,7 +165,7 @@ std::string example(const std::string& command) {
     return "Example:\n  " + command;
 }
 
-// Options that lead to a command, and the command.
+// The command line's options, and the command they select.
 struct Program {
     CLI::App app{
         "Back-analysis of rock-slope failures.\n"
@@ -207,7 +208,7 @@ struct Program {
         return program;
     }
 
-    // `shared` says whether several ranks can share the work of the command.
+    // `shared` tells whether several ranks can share the work of the command.
     template <class What>
     void complete(CLI::App* command, unsigned parts, const std::string& line,
                   ExitCode (*run)(const What&, const Options&), const std::type_identity_t<What>& what,
@@ -242,7 +243,7 @@ struct Program {
         run->add_option("--checkpoint-every", options.seconds_between_checkpoints,
                         "Seconds between checkpoints of a long dynamic relaxation, from which the same command goes on "
                         "once it was stopped; 60 by default")
-            ->check(CLI::Range(0.0, 86'400.0))  // a day: the bounds are printed
+            ->check(CLI::Range(0.0, 86'400.0))  // a day: the bounds appear in the help
             ->type_name("SECONDS");
 
         CLI::App* fit = add_on_case(
@@ -352,8 +353,8 @@ struct Program {
     }
 };
 
-// A standard stream that the caller closed would lend its number to the next file that is opened, and what is meant for
-// the reader would end up in a result. Such a stream is replaced by one that refuses to be used.
+// If the caller has closed a standard stream, its number would be given to the next file that is opened, and messages
+// for the reader would be written into a result. Such a stream is replaced by one that cannot be used.
 void occupy_standard_streams() {
     for (const auto& [descriptor, mode] :
          {std::pair{STDIN_FILENO, O_WRONLY}, std::pair{STDOUT_FILENO, O_RDONLY}, std::pair{STDERR_FILENO, O_RDONLY}}) {
@@ -363,7 +364,7 @@ void occupy_standard_streams() {
     }
 }
 
-// A result that did not reach its reader is an error, a full disk behind `> file` among them.
+// Output that did not reach its reader is an error, for example because of a full disk behind `> file`.
 int code_if_output_arrived(ExitCode exit_code) {
     if (!std::cout.flush() || std::fflush(stdout) != 0) {
         std::cerr << "delabole: cannot write to standard output\n";
@@ -372,8 +373,8 @@ int code_if_output_arrived(ExitCode exit_code) {
     return code(exit_code);
 }
 
-// Ends with a message. Where others work at the same, the leader's message stands for all; only a rank that alone has
-// met something has to say so itself.
+// Ends with a message. If several ranks meet the same error, the leader's message stands for all; another rank waits
+// and prints its own only if it is not ended meanwhile.
 int fail(const std::string& message, ExitCode exit_code, const delabole::Ranks& ranks) {
     if (!ranks.leads()) {
         std::this_thread::sleep_for(std::chrono::seconds(3));
@@ -425,11 +426,11 @@ int main(int argument_count, char** arguments) {
             if (!ranks.leads()) {
                 return code(ExitCode::ok);
             }
-            // CLI11 has exit codes of its own, above 100; help and version are no errors.
+            // CLI11 has exit codes of its own, above 100; help and version are not errors.
             const bool asked_for = program.app.exit(error) == 0;
             return asked_for ? code_if_output_arrived(ExitCode::ok) : code(ExitCode::usage);
         }
-        // mpirun gives ranks that it ends no time to finish anything.
+        // mpirun leaves ranks that it ends no time to finish anything.
         if (ranks.alone()) {
             delabole::catch_interrupts();
         }

@@ -17,13 +17,13 @@ namespace delabole {
 
 namespace {
 
-// Evaluations of one repetition, for progress only.
+// Evaluations of one repetition, used only for the progress report.
 constexpr long usual_evaluations = 20'000;
 
 RecoverySettings settings_for(const FitProblem& problem, const Options& options) {
     RecoverySettings settings;
     settings.repetitions = options.repetitions;
-    // A few hundred independent draws tell an interval; all those of a single fit would only take longer.
+    // A few hundred independent draws determine an interval; as many as for a single fit would only take longer.
     settings.posterior.chains = 4;
     settings.posterior.draws = 1000;
     settings.posterior.seed = problem.settings.seed;
@@ -32,7 +32,7 @@ RecoverySettings settings_for(const FitProblem& problem, const Options& options)
     return settings;
 }
 
-// Parameters of the best fit; empty where there is none.
+// Parameters of the best fit; empty if there is none.
 std::vector<double> best_of(const Mechanism& mechanism, const FitProblem& problem, ProgressMeter& meter) {
     meter.begin_stage(mechanism.name, "best fit", usual_evaluations);
     const Misfit misfit(mechanism, problem);

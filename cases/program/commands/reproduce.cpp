@@ -32,12 +32,12 @@ struct Chosen {
     std::vector<const ReproductionItem*> items;
 };
 
-// Fig 3.4 belongs to chapter 3 and, by its equation, to chapter 4.
+// An item may occur twice: Fig 3.4 belongs to chapter 3 and, through its equation, to chapter 4.
 bool has(const std::vector<const ReproductionItem*>& items, const std::string& name) {
     return std::ranges::any_of(items, [&](const ReproductionItem* item) { return item->name == name; });
 }
 
-// A chapter, one item of any chapter, or everything.
+// The items of a chapter, a single item, or all items.
 Chosen choose(const std::string& what) {
     Chosen chosen{what.empty() ? "thesis" : what, "Thesis: printed and computed", {}};
     for (const ReproductionChapter& chapter : chapters()) {
@@ -62,7 +62,7 @@ Chosen choose(const std::string& what) {
     return chosen;
 }
 
-// Tells how far all items have come, by the one that is at work.
+// Reports the progress of all items from that of the item at work.
 class ItemsProgress {
   public:
     ItemsProgress(const std::vector<const ReproductionItem*>& items, bool quiet) : items_(items), progress_(quiet) {
@@ -71,7 +71,7 @@ class ItemsProgress {
         }
     }
 
-    // `item` is done to a share.
+    // The share done of `item`.
     void report(std::size_t item, double share, const std::string& what) {
         double done = share * weight(*items_[item]);
         for (std::size_t before = 0; before < item; ++before) {
@@ -140,7 +140,7 @@ std::vector<std::pair<std::string, std::string>> reproducible() {
 
 namespace {
 
-// Names the items that take minutes, which a reproduction of everything leaves out.
+// Names the items that take minutes and are left out when everything is reproduced.
 std::string left_out() {
     std::vector<std::string> names;
     for (const ReproductionChapter& chapter : chapters()) {
@@ -217,7 +217,7 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
     if (options.json) {
         std::cout << json_text(json);
     } else if (!options.quiet) {
-        constexpr std::size_t width = 118;  // as the table has it
+        constexpr std::size_t width = 118;  // that of the table
         std::cout << screen_table(rows) << '\n'
                   << wrapped(counted, width) << '\n'
                   << wrapped(missing, width) << (missing.empty() ? "" : "\n") << "report in "

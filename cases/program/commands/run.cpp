@@ -100,14 +100,14 @@ void append_sweeps(const CaseFile& file, const ResultFolder& folder, const Optio
     }
 }
 
-// A row for each case that was run: its name, its answer and the folder that holds it.
+// One row for each case that was run: its name, its answer and its result folder.
 using Overview = std::vector<std::vector<std::string>>;
 
 ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     const Stopwatch watch;
     show_units_of(file);
     announce(file, options);
-    // Claimed before the work, which may take hours and keeps its checkpoint there.
+    // The folder is claimed before the work, which may take hours and keeps its checkpoint there.
     ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
     const std::optional<DesignedSupport> support = [&] {
         Progress progress(options.quiet);
@@ -162,7 +162,7 @@ ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     if (!analysis.warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", analysis.warnings});
     }
-    // The numbers of a motion are dozens, and few of them are the answer.
+    // A relaxation has dozens of outputs, most of which are not the answer, so their table is folded.
     if (std::holds_alternative<RelaxationStudy>(file.model)) {
         own.blocks.emplace_back(Folded{"All results", {output_table(analysis)}});
     } else {
@@ -187,7 +187,7 @@ ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     } else if (!options.quiet) {
         print(file, head, analysis, folder, options);
     }
-    // Other models have no checkpoint: what stands there is an interrupted run's, which will go on.
+    // Other models have no checkpoint: a file there belongs to an interrupted run, which can still be continued.
     if (!interrupt_flag() && std::holds_alternative<RelaxationStudy>(file.model)) {
         remove_checkpoint(checkpoint);
     }
@@ -203,7 +203,7 @@ ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     return ExitCode::not_converged;
 }
 
-// Each of several cases gets a folder of its own in the one that --out names.
+// If there are several cases, each gets its own folder inside the one named by --out.
 Options with_own_folder(const Options& options, const CaseFile& file, std::size_t cases) {
     Options own = options;
     if (cases > 1 && !options.out.empty()) {
@@ -213,7 +213,7 @@ Options with_own_folder(const Options& options, const CaseFile& file, std::size_
     return own;
 }
 
-// Two cases of one name, in different folders, would leave one result under it.
+// Two cases with the same name in different folders would write to the same result folder.
 void refuse_shared_folders(const std::vector<CaseFile>& files, const Options& options) {
     std::map<std::filesystem::path, const CaseFile*> folders;
     for (const CaseFile& file : files) {
@@ -229,7 +229,7 @@ void refuse_shared_folders(const std::vector<CaseFile>& files, const Options& op
 }  // namespace
 
 ExitCode run_command(const Paths& cases, const Options& options) {
-    // Every case is read before the first is analysed: a mistake in the last one costs nothing.
+    // All cases are read before the first is analysed, so that a mistake in the last one is reported at once.
     std::vector<CaseFile> files;
     for (const std::filesystem::path& path : cases) {
         files.push_back(read_case(path, settings_of(options)));

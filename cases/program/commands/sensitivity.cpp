@@ -24,7 +24,7 @@ SensitivityResult study_with_progress(const SensitivityProblem& problem, const O
         &interrupt_flag());
 }
 
-// The reason why a result is not the answer; empty where it is.
+// The reason why a result is not a reliable answer; empty if it is.
 std::string reservation(SensitivityStatus status) {
     return words_for(status,
                      {"", "interrupted: the study was stopped early; what it had finished is shown",

@@ -35,7 +35,7 @@ const RelaxationStudy& study_of(const CaseFile& file) {
     return *study;
 }
 
-// The value that the case expects of its own search, at the case's own inputs.
+// The value that the case expects for its own search, without changed inputs.
 const Expectation* expected_value(const CaseFile& file, std::string_view quantity) {
     for (const Expectation& expected : file.expectations) {
         if (expected.quantity == quantity && expected.conditions.empty()) {
@@ -53,7 +53,7 @@ TradeResult trade_with_progress(const TradeProblem& problem, const Options& opti
         interrupt_flag());
 }
 
-// The reason why a result is not the answer; empty where it is.
+// The reason why a result is not a reliable answer; empty if it is.
 std::string reservation(const TradeResult& result, std::size_t settings) {
     switch (result.status) {
     case TradeStatus::finished:

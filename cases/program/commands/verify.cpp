@@ -19,7 +19,7 @@ namespace {
 Paths case_files(const Paths& given) {
     Paths files;
     for (const std::filesystem::path& path : given.empty() ? Paths{"cases"} : given) {
-        std::error_code ignored;  // what cannot be examined is left to read_case, which says why
+        std::error_code ignored;  // read_case reports why a path cannot be examined
         if (!std::filesystem::is_directory(path, ignored)) {
             files.push_back(path);
             continue;
@@ -74,7 +74,7 @@ ExitCode verify_command(const Paths& cases, const Options& options) {
                             {"source", row.source}});
         }
     }
-    // A wrong folder must not look like a success.
+    // The wrong folder must not be reported as a success.
     if (json.empty()) {
         const std::string where = cases.size() == 1 ? cases.front().string() : cases.empty() ? "cases" : "all of these";
         throw CaseError({{where, 0, 0, {}, {}, "has no [[expect]] entry: there is nothing to compare"}});

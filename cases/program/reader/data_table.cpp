@@ -18,7 +18,7 @@ struct Line {
     std::string_view text;
 };
 
-// Lines of data; their ends may be those of any system.
+// Lines of data, with the line ends of any system.
 std::vector<Line> lines_of(std::string_view text) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) {
@@ -44,7 +44,7 @@ class Splitter {
   public:
     Splitter(const Line& line, Reading& reading) : rest_(line.text), place_(line.place), reading_(&reading) {}
 
-    // False, with a complaint, when quotes are not closed or something stands behind them.
+    // Complains and returns false if quotes are not closed or are followed by other text.
     bool split(std::vector<Cell>& cells) {
         while (true) {
             Cell& cell = cells.emplace_back(Cell{{}, place_});
@@ -89,7 +89,7 @@ class Splitter {
         }
     }
 
-    // Columns count characters: the later bytes of a UTF-8 sequence are none.
+    // Columns count characters, so the later bytes of a UTF-8 sequence do not count.
     void advance(std::size_t bytes) {
         for (const char byte : rest_.substr(0, bytes)) {
             place_.column += (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U ? 0 : 1;
@@ -104,7 +104,7 @@ class Splitter {
 
 struct TableColumn {
     const TableColumnField* field;
-    std::string unit;  // as a quantity has it, "kg/m3"; empty for a ratio, a word or a text
+    std::string unit;  // as written in a quantity, "kg/m3"; empty for a ratio, a word or a text
 };
 
 std::string unit_of(std::string_view suffix) {
@@ -120,7 +120,7 @@ bool has_unit(const TableColumnField& field) {
     return field.kind == TableColumnField::Kind::number && field.dimension != Dimension::ratio;
 }
 
-// The field with the longest key that the name begins with.
+// The field with the longest key with which the name begins.
 const TableColumnField* field_of(const std::string& name, const std::vector<TableColumnField>& fields) {
     const TableColumnField* found = nullptr;
     for (const TableColumnField& field : fields) {
@@ -157,14 +157,14 @@ bool unit_fits(const Cell& cell, const TableColumn& column, Reading& reading) {
     return one.status == QuantityStatus::ok;
 }
 
-// Empty when a column is wrong.
+// Empty if a column is wrong.
 std::vector<TableColumn> read_header(const Line& line, const std::vector<TableColumnField>& fields, Reading& reading) {
     std::vector<Cell> cells;
     if (!Splitter(line, reading).split(cells)) {
         return {};
     }
-    // A case may name any file that its reader can read as its table, and send the message on: what is in such a file
-    // is not shown.
+    // The contents of the file are not shown, since a case may name any file that its reader can read, and the message
+    // may be sent on.
     if (std::ranges::none_of(cells, [&](const Cell& cell) { return field_of(cell.text, fields) != nullptr; })) {
         std::string names;
         for (const TableColumnField& field : fields) {

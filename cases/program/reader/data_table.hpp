@@ -1,8 +1,9 @@
-// Tables of test data, CSV, into rows of a described struct (parameters/fields.hpp).
+// Reads tables of test data (CSV) into rows of a described struct (parameters/fields.hpp).
 //
-// Lines that begin with # are comments; the first other line names the columns. A column is a key of the struct, with
-// the unit of its numbers appended where they are not ratios: "slope_height_in", "density_kg_per_m3". Cells with commas
-// or quotes stand in quotes, inner quotes doubled. An empty cell is an absent number, or an empty text.
+// Lines that begin with # are comments; the first other line names the columns. A column name is a key of the struct,
+// followed by the unit of its numbers unless they are ratios: "slope_height_in", "density_kg_per_m3". Cells with commas
+// or quotes are enclosed in quotes, and inner quotes are doubled. An empty cell means an absent number or an empty
+// text.
 #pragma once
 
 #include "cases/program/reader/case_error.hpp"
@@ -23,12 +24,12 @@ struct TableColumnField {
     std::string key;
     Dimension dimension;
     Kind kind;
-    bool required;  // a column without which no row can be read
+    bool required;  // every row needs a value in this column
 };
 
-// One Node of kind table for each row, keys without units, numbers with them; its place is the first cell. Complains
+// One table node for each row, with keys without units and numbers with them; its place is the first cell. Complains
 // about columns that are unknown, missing, given twice or in a wrong unit, about rows of another length and about
-// quotes. Empty when a column is wrong.
+// quotes. Empty if a column is wrong.
 std::vector<Node> table_rows(std::string_view text, const std::vector<TableColumnField>& fields, Reading& reading);
 
 template <Described Row>
@@ -48,11 +49,11 @@ std::vector<TableColumnField> table_fields() {
     return fields;
 }
 
-// The `check` of a table whose rows as a whole need none.
+// The `check` of a table whose rows need no check as a whole.
 inline constexpr auto any_rows = [](Reading&, const auto&, const std::vector<Node>&) {};
 
-// Throws CaseError with all that is wrong, each with line and column; `name` names the text in messages. Rows that are
-// right one by one are shown to `check(reading, rows, nodes)`, which may complain at the place of a node.
+// Throws CaseError with all problems, each with line and column; `name` names the text in messages. If every single row
+// is right, `check(reading, rows, nodes)` is called, which may complain at the place of a node.
 template <Described Row, class Check = decltype(any_rows)>
 std::vector<Row> parse_table(std::string_view text, std::string_view name, const Check& check = any_rows) {
     Reading reading{std::string(name)};
@@ -69,8 +70,8 @@ std::vector<Row> parse_table(std::string_view text, std::string_view name, const
     return rows;
 }
 
-// Reads the file that a key names and returns parse(text, name). Where the file cannot be read or parsed, it complains
-// and returns nothing.
+// Reads the file that a key names and returns parse(text, name). If the file cannot be read or parsed, it complains and
+// returns nothing.
 template <class Parse>
 auto read_table_file(Reading& reading, const std::string& key, const std::filesystem::path& path, std::string_view what,
                      std::size_t largest, const Parse& parse) -> decltype(parse(what, what)) {

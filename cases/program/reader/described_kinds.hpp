@@ -1,6 +1,7 @@
-// Members of described structs (parameters/fields.hpp) that only reading and writing of cases tells apart. Beside what
-// fields.hpp lists a case may hold: a bool, written where it is true; a WrittenValue, kept as it was written; a
-// std::vector<double>, a list of values; a Polyline, points whose coordinates have the dimension of the field.
+// Kinds of members of described structs (parameters/fields.hpp) that only the reading and writing of cases
+// distinguishes. In addition to those in fields.hpp, a case may hold a bool, written if it is true; a WrittenValue,
+// kept as it was written; a std::vector<double>, a list of values; and a Polyline, points whose coordinates have the
+// dimension of the field.
 #pragma once
 
 #include "cases/program/reader/units.hpp"
@@ -15,8 +16,7 @@
 
 namespace delabole {
 
-// The key that says which alternative of a keyed variant a section is: `kind`, or that which the alternatives name as
-// their `kind_key`.
+// The key that tells which alternative of a keyed variant a section is: `kind`, or the `kind_key` of the alternatives.
 template <class Variant>
 constexpr std::string_view kind_key() {
     using First = std::variant_alternative_t<0, Variant>;
@@ -27,13 +27,13 @@ constexpr std::string_view kind_key() {
     }
 }
 
-// A struct whose numbers of Dimension::named are of the dimension that it keeps.
+// A struct that stores the dimension of its numbers of Dimension::named.
 template <class Object>
 concept has_own_dimension = requires(Object object) {
     { object.dimension } -> std::same_as<Dimension&>;
 };
 
-// A struct of a few values that a case writes as a table in one line.
+// A struct of a few values that a case writes as an inline table.
 template <class Object>
 inline constexpr bool is_written_in_line = requires {
     Object::written_in_line;
@@ -41,11 +41,11 @@ inline constexpr bool is_written_in_line = requires {
 
 using PairOfTexts = std::array<std::string, 2>;
 
-// Alternatives of which one is given; a WrittenValue is a value.
+// A variant of which one alternative is given; a WrittenValue is not one but a value.
 template <class Type>
 inline constexpr bool is_choice = is_variant<Type> && !std::same_as<Type, WrittenValue>;
 
-// A member that is a list of texts, empty where the case has none.
+// A list of texts, empty if the case has none.
 template <class Type>
 inline constexpr bool is_list_of_texts = std::same_as<Type, std::vector<std::string>>;
 

@@ -1,4 +1,4 @@
-// Reads any described struct (parameters/fields.hpp) from a section: one walk over its table of fields.
+// Reads any described struct (parameters/fields.hpp) from a section by its table of fields.
 #pragma once
 
 #include "cases/program/reader/described_kinds.hpp"
@@ -45,7 +45,7 @@ constexpr bool may_be_absent(const FieldInfo& info) {
     return info.has_default || is_optional<Member> || is_vector<Member>;
 }
 
-// The keys that stand for an alternative of an inlined variant in a message: those that are required.
+// The required keys of each alternative of an inlined variant, which stand for it in a message.
 template <class Variant>
 std::vector<std::string> alternative_names() {
     std::vector<std::string> names;
@@ -86,7 +86,7 @@ std::vector<std::string> enum_words() {
 template <class Variant>
 struct InlinedChoice {
     std::vector<std::size_t> given;      // alternatives with at least one key in the section
-    std::vector<std::size_t> by_option;  // those of them with a key given by --set
+    std::vector<std::size_t> by_option;  // those among them with a key given by --set
 };
 
 template <class Variant>
@@ -110,7 +110,8 @@ InlinedChoice<Variant> given_alternatives(const Section& section) {
     return choice;
 }
 
-// Exactly one alternative's keys. A --set of another alternative replaces the one in the file.
+// Reads an inlined variant, of which exactly one alternative may have keys. If --set gives another alternative, it
+// replaces the one in the file.
 template <class Variant>
 void read_inlined_variant(Section& section, const FieldInfo& info, Variant& variant) {
     for_each_alternative<Variant>([&]<std::size_t, class Alternative>() {
@@ -153,7 +154,7 @@ std::string kinds_with_key(std::string_view key) {
     return choices(kinds);
 }
 
-// Reads the alternative that the section's `kind` chose; complains and returns nothing where it chose none.
+// Reads the alternative chosen by the section's `kind`; complains and returns nothing if it chooses none.
 template <class Variant>
 std::optional<std::size_t> read_kind(Section& section, Variant& variant) {
     const std::vector<std::string> kinds = kind_names<Variant>();
@@ -262,8 +263,8 @@ std::string requirement(const FieldInfo& info) {
     return text;
 }
 
-// With dimension and range of what the section names where the field is a value of that; nothing where the name is not
-// known.
+// The field with the dimension and range of the quantity that the section names, if the field is a value of that
+// quantity; nothing if the name is unknown.
 inline std::optional<FieldInfo> resolved(const Section& section, const FieldInfo& info) {
     FieldInfo own = info;
     if (info.dimension == Dimension::named) {
@@ -342,8 +343,8 @@ void read_member(Section& section, const FieldInfo& field, Member& member) {
 
 }  // namespace detail
 
-// Reads every field of the table; complains about what is missing, wrong or out of range. Keys the table does not know
-// are left to the section's finish(). On a complaint the object holds zeros in that place.
+// Reads every field of the table and complains about missing, wrong and out-of-range values. Keys that the table does
+// not have are left to the section's finish(). A member with a complaint is zero.
 template <Described Object>
 void read_fields(Section& section, Object& object) {
     visit_fields(object, [&](const FieldInfo& info, auto& member) { detail::read_member(section, info, member); });
@@ -353,7 +354,7 @@ void read_fields(Section& section, Object& object) {
     }
 }
 
-// Reads only the fields that the section has, each replacing the object's former value wholly.
+// Reads only the fields that the section has; each replaces the object's former value as a whole.
 template <Described Object>
 void replace_fields(Section& section, Object& object) {
     visit_fields(object, [&](const FieldInfo& info, auto& member) {

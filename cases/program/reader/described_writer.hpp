@@ -13,7 +13,7 @@
 
 namespace delabole {
 
-// `named`: the dimension of what the section around names.
+// `named` is the dimension of the quantity that the section around names.
 template <Described Object>
 void write_values(std::string& text, const Object& object, Dimension named = Dimension::ratio);
 template <Described Object>
@@ -27,7 +27,7 @@ inline std::string joined_path(const std::string& path, std::string_view key) {
 inline void write_line(std::string& text, std::string_view key, const std::string& value) {
     text += std::string(key) + " = " + value + "\n";
 }
-// Writes nothing where the value is empty.
+// Writes nothing if the value is empty.
 inline void write_text(std::string& text, std::string_view key, const std::string& value) {
     if (!value.empty()) {
         write_line(text, key, in_quotes(value));
@@ -64,7 +64,7 @@ inline std::string written_list(const std::vector<double>& values, Dimension dim
     return list + "]";
 }
 
-// Points with a unit stand on lines of their own.
+// Points with a unit are written on lines of their own.
 inline std::string written_polyline(const Polyline& line, Dimension dimension) {
     const bool lines = dimension != Dimension::ratio;
     std::string list;
@@ -77,7 +77,7 @@ inline std::string written_polyline(const Polyline& line, Dimension dimension) {
     return "[" + list + (lines ? "\n]" : "]");
 }
 
-// Lines of values as one table.
+// Turns lines of values into an inline table.
 inline std::string in_one_line(std::string lines) {
     lines.pop_back();
     for (std::size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at)) {
@@ -164,7 +164,7 @@ void write_value(std::string& text, const FieldInfo& info, const Member& member,
     }
 }
 
-// Members that are written with their key, not as a section.
+// Members that are written after their key, and not as a section.
 template <class Member>
 inline constexpr bool is_value =
     NumberType<Member> || std::is_enum_v<Member> || std::same_as<Member, std::string> || is_list_of_texts<Member> ||
@@ -231,7 +231,7 @@ void write_sections(std::string& text, const Object& object, const std::string& 
     });
 }
 
-// Writes the fields of `object` that differ from `base`, values and sections apart: read over `base` they give
+// Writes the fields of `object` that differ from `base`, with values and sections separate. Read over `base` they give
 // `object`.
 template <Described Object>
 void write_differences(std::string& values, std::string& sections, const Object& base, const Object& object,

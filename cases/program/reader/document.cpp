@@ -112,7 +112,7 @@ Node value_of(const Setting& setting) {
             return value;
         }
     } catch (const CaseError&) {
-        // Not a TOML value: an unquoted text such as 40 m.
+        // The text is not a TOML value, for example an unquoted 40 m, and becomes a string.
     }
     value.kind = Node::Kind::text;
     value.text = setting.value;
@@ -125,7 +125,7 @@ struct PathPart {
     std::vector<std::size_t> indices;  // from 1
 };
 
-// Empty when the path is malformed.
+// Empty if the path is malformed.
 std::vector<PathPart> split_path(std::string_view path) {
     std::vector<PathPart> parts;
     while (true) {

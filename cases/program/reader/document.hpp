@@ -1,4 +1,4 @@
-// The text of a case as a tree of plain values, each with its place. The only door to the TOML library.
+// The text of a case as a tree of plain values, each with its place. Only these files use the TOML library.
 #pragma once
 
 #include "cases/program/reader/case_error.hpp"
@@ -18,13 +18,13 @@ struct Place {
 
 struct Entry;
 
-// One value of the tree. Only the member that goes with `kind` is meaningful.
+// One value of the tree. Only the member that belongs to `kind` is meaningful.
 struct Node {
     enum class Kind { table, array, text, integer, real, boolean, date };
 
     Kind kind = Kind::table;
     Place place;      // of the value
-    Place key_place;  // of its key; of the value where it has none
+    Place key_place;  // of its key; that of the value if it has none
     std::string text;
     std::int64_t integer = 0;
     double real = 0;
@@ -50,24 +50,24 @@ Node parse_document(std::string_view text, std::string_view name);
 // One `--set key=value`.
 struct Setting {
     std::string key;    // "slope.height", "bolt[1].force"
-    std::string value;  // a TOML value, or any other text, which is taken as a string: 0.5, "40 m", 40 m
+    std::string value;  // a TOML value, 0.5 or "40 m"; any other text, such as 40 m, is taken as a string
 };
 
-// Splits "key=value". Throws CaseError when there is no "=" or no key.
+// Splits "key=value". Throws CaseError if there is no "=" or no key.
 Setting parse_setting(std::string_view text);
 
-// Sets or adds the value at a path such as bolt[1].force; missing sections are created. Why it cannot be done; empty
-// where it was done.
+// Sets or adds the value at a path such as bolt[1].force; missing sections are created. Returns the reason if that is
+// impossible, otherwise an empty text.
 std::string put_value(Node& root, std::string_view path, Node value);
 
-// The same for a setting; what cannot be done is added to `problems`.
+// The same for a setting; a problem is added to `problems`.
 void apply_setting(Node& root, const Setting& setting, std::vector<Problem>& problems);
 
-// How a value is shown in a message: "40 m" in quotes, 0.5 without, at most about 60 characters, no control characters.
+// A value as shown in messages: "40 m" in quotes, 0.5 without, at most about 60 characters, no control characters.
 std::string shown(const Node& node);
 std::string shown(std::string_view text);
 
-// Text as it stands in a case file between double quotes, quotes included.
+// Text as written in a case file between double quotes, including the quotes.
 std::string in_quotes(std::string_view text);
 
 }  // namespace delabole

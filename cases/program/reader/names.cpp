@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_edits = 2;
 constexpr std::size_t longest_word = 100;
-constexpr std::size_t most_members = 12;  // of a list that is set one by one
+constexpr std::size_t most_members = 12;  // of a list whose members are meant to be set one by one
 
 }  // namespace
 
@@ -110,10 +110,10 @@ const Quantity* find_known(const KnownNames& names, NameOf what, const std::stri
     return nullptr;
 }
 
-// Every name that would have been right, once.
+// All names that would have been right, each once.
 std::vector<std::string> right_names(const KnownNames& names, NameOf what) {
     std::vector<std::string> right;
-    std::unordered_set<std::string> known;  // a section of many blocks has a million of them
+    std::unordered_set<std::string> known;  // a section of many blocks has a million names
     const auto add = [&](const std::string& name) {
         if (known.insert(name).second) {
             right.push_back(name);
@@ -144,7 +144,7 @@ std::string unknown_name(const Section& section, NameOf what, const std::string&
                                     : what == NameOf::input      ? "is not an input of this case"
                                     : what == NameOf::measurable ? "is neither an output nor an input of any mechanism"
                                                                  : "is not ";
-    const bool full = section.reading().full();  // not worth a search for the right word
+    const bool full = section.reading().full();  // then no correction is searched for
     return std::string(is_not).append(what == NameOf::output ? section.names().output : "") +
            (full ? "" : suggestion(name, right_names(section.names(), what)));
 }
@@ -164,7 +164,7 @@ std::string list_of(std::string_view name) {
 LongLists long_lists(const std::vector<Quantity>& quantities) {
     LongLists lists;
     std::string_view member;
-    for (const Quantity& quantity : quantities) {  // those of a member follow each other
+    for (const Quantity& quantity : quantities) {  // quantities of one member follow each other
         const std::string_view name = quantity.name;
         const std::size_t end = name.rfind(']');
         if (end != std::string_view::npos && name.substr(0, end) != member) {
@@ -189,7 +189,7 @@ void for_each_flat_entry(const Node& table, const std::function<void(const std::
             visit(key, node);
             continue;
         }
-        // clang 14 lets no lambda capture a part of a binding by its name.
+        // In clang 14 a lambda cannot capture a structured binding directly.
         for_each_flat_entry(node, [&visit, prefix = key + "."](const std::string& inner, const Node& value) {
             visit(prefix + inner, value);
         });

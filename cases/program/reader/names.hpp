@@ -1,5 +1,5 @@
-// Names of inputs, outputs and mechanisms in a case, and what is written in their terms; the known word nearest to a
-// mistyped one: "did you mean".
+// Reads names of inputs, outputs and mechanisms in a case and values that refer to them, and suggests the known word
+// nearest to a mistyped one: "did you mean".
 #pragma once
 
 #include "cases/program/reader/section.hpp"
@@ -13,7 +13,7 @@
 
 namespace delabole {
 
-// Cuts off blanks, tabs and line ends at either end.
+// The text without blanks, tabs and line ends at either end.
 std::string_view trimmed(std::string_view text);
 
 // Insertions, deletions, substitutions and swaps of neighbours that turn one word into the other (optimal string
@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text);
 std::size_t edit_distance(std::string_view first, std::string_view second);
 
 // The nearest candidate within two edits (one for words of up to three letters), or one whose last part after a dot is
-// the whole word; empty when there is none.
+// the whole word; empty if there is none.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 
 // " (did you mean strength?)" or nothing.
@@ -30,28 +30,29 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
 // "a, b or c"
 std::string choices(const std::vector<std::string>& words);
 
-// "poles[1].plane" of "poles[1].plane[3].dip"; empty of a name that stands in no list.
+// "poles[1].plane" for "poles[1].plane[3].dip"; empty for a name outside any list.
 std::string list_of(std::string_view name);
 
-// Lists of more members than anyone would set one by one, as measured poles are, and how many each has.
+// Lists with more members than anyone would set one by one, such as measured poles, and the number of members of each.
 using LongLists = std::map<std::string, std::size_t, std::less<>>;
 LongLists long_lists(const std::vector<Quantity>& quantities);
 
 std::vector<std::string> names_in(const std::vector<Quantity>& quantities);
 
-// Calls visit(path, value) for all that a table holds, also below tables that unquoted dotted keys have made:
-// slope.height = "..." is "slope.height" = "...".
+// Calls visit(path, value) for all entries of a table, including those below tables made by unquoted dotted keys:
+// slope.height = "..." means "slope.height" = "...".
 void for_each_flat_entry(const Node& table,
                          const std::function<void(const std::string& path, const Node& value)>& visit);
 
-// A text that names something. An input or output sets what numbers of Dimension::named are values of, a mechanism
-// whose inputs and outputs further names mean. A complaint where there is nothing of that name.
+// Reads a text that names something. The name of an input or output sets the quantity for numbers of Dimension::named;
+// that of a mechanism sets the mechanism to whose inputs and outputs later names refer. Complains if nothing has that
+// name.
 std::string read_name(Section& section, std::string_view key, NameOf what, std::string_view meaning);
-// A list of such names, inputs and outputs of one dimension, empty when absent. What is measurable is required; one
-// name of it may stand by itself.
+// Reads a list of such names, inputs and outputs of one dimension; empty if absent. For NameOf::measurable a list or a
+// single name is required.
 void read_names(Section& section, std::string_view key, NameOf what, std::string_view meaning,
                 std::vector<std::string>& names);
-// `with = { "water.filled_ratio" = 1.0 }`: inputs of any of the models. Empty when absent.
+// `with = { "water.filled_ratio" = 1.0 }`: values for inputs of any of the models. Empty if absent.
 std::vector<Condition> read_conditions(Section& section, std::string_view key);
 
 }  // namespace delabole

@@ -3,7 +3,7 @@
 namespace delabole {
 namespace {
 
-// Index just behind the string that starts at `start`. A string on one line ends with the line at the latest: TOML
+// Index just after the string that starts at `start`. A string on one line ends with that line at the latest: TOML
 // allows no line break in it, so the parser stops there with an error of its own.
 std::size_t behind_string(std::string_view text, std::size_t start) {
     const char quote = text[start];

@@ -1,4 +1,4 @@
-// A guard in front of the TOML library, whose trees are built and freed recursively.
+// A check before the TOML library is used, whose trees are built and freed recursively.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ struct NestingExcess {
     int column;
 };
 
-// First place where brackets are nested, or a dotted key is, more than `limit` levels deep. Strings and comments do not
-// count. Text that is not TOML gives some answer too.
+// The first place where brackets are nested, or a dotted key is, more than `limit` levels deep. Strings and comments do
+// not count. For text that is not TOML the result has no meaning.
 std::optional<NestingExcess> excessive_nesting(std::string_view text, int limit);
 
 }  // namespace delabole

@@ -1,4 +1,4 @@
-// The whole of a file that a user names.
+// Reads files that a user names.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@ namespace delabole {
 
 struct FileContent {
     std::string bytes = {};
-    std::string fault = {};   // "is not an ordinary file"; empty where everything has been read
+    std::string fault = {};   // "is not an ordinary file"; empty if everything was read
     std::uintmax_t size = 0;  // of the whole file, bytes
 };
 
-// `what` it is to be, for the fault: "a case file". A limit is a multiple of 1 MiB. What grows meanwhile is read up to
-// the size it had.
+// The whole of a file. `what` describes it in the fault: "a case file". `largest` is a multiple of 1 MiB. If the file
+// grows meanwhile, it is read up to its former size.
 FileContent read_ordinary_file(const std::filesystem::path& path, std::string_view what, std::size_t largest);
 
-// The first bytes of a file of any size; all of it where it has no more.
+// The first bytes of a file of any size; the whole file if it has no more.
 FileContent read_beginning(const std::filesystem::path& path, std::string_view what, std::size_t most);
 
 }  // namespace delabole

@@ -44,7 +44,7 @@ struct Chain {
     bool closed = false;
 };
 
-// One pair of a group code and its value, as a DXF file has them on two lines.
+// A group code and its value, which a DXF file has on two lines.
 struct Group {
     int code = 0;
     std::string_view value = {};
@@ -54,7 +54,7 @@ constexpr std::array<std::string_view, 5> curves{"ARC", "CIRCLE", "ELLIPSE", "SP
 constexpr std::array<std::string_view, 8> passed_over{"TEXT",   "MTEXT",  "POINT",    "DIMENSION",
                                                       "LEADER", "ATTDEF", "VIEWPORT", "MULTILEADER"};
 
-// Metres of the unit that $INSUNITS numbers.
+// Length in metres of the unit with that number in $INSUNITS.
 std::optional<double> metres_of_unit(int number) {
     switch (number) {
     case 0:
@@ -77,13 +77,14 @@ std::optional<double> metres_of_unit(int number) {
 
 class DxfReader {
   public:
-    // Blanks after the last line are cut off once: looked through at every line, they would cost lines times blanks.
+    // Blanks after the last line are removed here, since checking them at every line would take lines times blanks
+    // steps.
     explicit DxfReader(std::string_view text) : text_(text.substr(0, text.find_last_not_of(blank) + 1)) {}
 
     OutlineFile read();
 
   private:
-    // False at the end of the file, or where it is no DXF.
+    // False at the end of the file, or if the file is not a DXF.
     bool next() {
         if (text_.empty()) {
             return false;
@@ -136,7 +137,7 @@ class DxfReader {
     double unit_ = 1;  // m
 };
 
-// A POLYLINE goes on through its VERTEX entities to SEQEND; everything else ends where the next entity begins.
+// A POLYLINE includes its VERTEX entities up to SEQEND; every other entity ends where the next one begins.
 void DxfReader::end_entity() {
     if (!in_polyline_ && !chain_.point.empty()) {
         chains_.push_back(std::exchange(chain_, {}));
@@ -204,7 +205,7 @@ void DxfReader::take_group() {
     }
 }
 
-// Ends that differ by less than this, in the drawing's size, are one point.
+// Ends whose distance is less than this share of the drawing's size are the same point.
 constexpr double same_point = 1e-6;
 
 double size_of(const std::vector<Chain>& chains) {
@@ -218,7 +219,8 @@ double size_of(const std::vector<Chain>& chains) {
     return size;
 }
 
-// The ends of open chains by place: a chain that goes on from a point is found without looking at all others.
+// The ends of open chains sorted by place, so that a chain that continues from a point is found without checking all
+// others.
 class OpenEnds {
   public:
     OpenEnds(const std::vector<Chain>& chains, double near) : chains_(chains), near_(near) {
@@ -234,7 +236,7 @@ class OpenEnds {
         return std::hypot(one.x - other.x, one.y - other.y) <= near_;
     }
 
-    // The first of the chains that are still there.
+    // The first remaining chain with an end at the point.
     std::optional<std::size_t> chain_at(const SectionPoint& point) const {
         std::optional<std::size_t> first;
         const Cell around = cell_of(point);
@@ -263,7 +265,7 @@ class OpenEnds {
   private:
     using Cell = std::pair<double, double>;
 
-    // Points that meet lie in one cell or in two that touch. Where all points are one, there is one cell.
+    // Points that coincide lie in the same cell or in two adjacent cells. If all points coincide, there is one cell.
     Cell cell_of(const SectionPoint& point) const {
         const double width = 2 * near_;
         const auto count = [&](double coordinate) { return width > 0 ? std::floor(coordinate / width) : 0; };
@@ -275,7 +277,7 @@ class OpenEnds {
     std::map<Cell, std::set<std::size_t>> cells_ = {};
 };
 
-// Joins open chains at their ends; what cannot be joined stays apart.
+// Joins open chains at their ends; chains that do not meet stay separate.
 std::vector<Chain> joined(std::vector<Chain> chains) {
     OpenEnds ends(chains, same_point * size_of(chains));
     std::vector<bool> used(chains.size(), false);
@@ -376,7 +378,7 @@ OutlineFile checked(OutlineFile file) {
     if (file.problem.empty() && file.outline.size() > most_corners) {
         file.problem = "has more than " + std::to_string(most_corners) + " corners";
     }
-    // A coordinate in kilometres may be none in metres.
+    // A coordinate that is finite in kilometres may overflow in metres.
     const auto finite = [](const SectionPoint& corner) { return std::isfinite(corner.x) && std::isfinite(corner.y); };
     if (file.problem.empty() && !std::ranges::all_of(file.outline, finite)) {
         file.problem = "has a corner that is not finite in metres";

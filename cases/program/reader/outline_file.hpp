@@ -1,8 +1,8 @@
 // The outline of a section from a drawing or a table of points.
 //
-// DXF: the LINE, LWPOLYLINE and POLYLINE entities of the drawing, joined at their ends, have to make one closed outline
-// of straight parts; texts, points and dimensions are passed over. Lengths are in the drawing's unit ($INSUNITS), or
-// metres where it has none. CSV: a line "x_m,y_m", then one corner on each line.
+// DXF: the LINE, LWPOLYLINE and POLYLINE entities of the drawing, joined at their ends, have to form one closed outline
+// of straight parts; texts, points and dimensions are ignored. Lengths are in the drawing's unit ($INSUNITS), or metres
+// if it has none. CSV: a line "x_m,y_m", then one corner on each line.
 #pragma once
 
 #include "jointed_slope/slope_geometry.hpp"
@@ -16,12 +16,12 @@ namespace delabole {
 
 struct OutlineFile {
     std::vector<SectionPoint> outline = {};
-    std::string problem = {};  // for a reader: one clause about the file, empty where there is none
+    std::string problem = {};  // one clause about the file, for the reader; empty if there is no problem
 };
 
 OutlineFile outline_of_dxf(std::string_view text);
 OutlineFile outline_of_csv(std::string_view text);
-// The format follows the ending of the file's name.
+// The ending of the file's name decides the format.
 OutlineFile read_outline_file(const std::filesystem::path& path);
 
 }  // namespace delabole

@@ -75,7 +75,7 @@ void Reading::finish() {
         return std::tie(problem.line, problem.column, problem.key, problem.message);
     };
     std::ranges::stable_sort(problems_, {}, order);
-    // A section that several mechanisms share is checked for each of them.
+    // A section that several mechanisms share is checked for each of them, so the same problem may occur several times.
     const auto same = [&](const Problem& first, const Problem& second) { return order(first) == order(second); };
     problems_.erase(std::unique(problems_.begin(), problems_.end(), same), problems_.end());
     throw CaseError(std::move(problems_), left_out_);
@@ -128,7 +128,8 @@ bool Section::is_allowed(std::string_view key) const {
 }
 
 bool Section::belongs_to_replaced_kind(const Node& node) const {
-    // Not looked for among the keys: asked for each that is unknown, the time would grow with their square.
+    // The key is not looked up among the entries: since this is called for every unknown key, the time would grow with
+    // the square of their number.
     const auto kind = reading_->places().find(path_of("kind"));
     return kind != reading_->places().end() && kind->second.place.from_option && !node.place.from_option;
 }

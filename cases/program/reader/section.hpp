@@ -1,4 +1,4 @@
-// Reading a tree of values section by section: what was used, what is unknown, what is wrong.
+// Reads a tree of values section by section and records which keys were used, unknown or wrong.
 #pragma once
 
 #include "cases/program/reader/case_error.hpp"
@@ -19,7 +19,7 @@
 
 namespace delabole {
 
-// Where a key stands in the case, and how its value was written.
+// The place of a key in the case, and its value as written.
 struct KeyPlace {
     Place place;
     std::string value;
@@ -28,30 +28,30 @@ struct KeyPlace {
 // "bolt[2]" for index 1
 std::string indexed(const std::string& key, std::size_t index);
 
-// Everything found while one case is read.
+// Records everything found while one case is read.
 class Reading {
   public:
     explicit Reading(std::string file) : file_(std::move(file)) {}
 
     void complain(const Place& place, std::string key, std::string value, std::string message);
     void complain(Problem problem);
-    // Complains at the key's own place where it is known, at the start of the file otherwise.
+    // Complains at the key's own place if it is known, otherwise at the start of the file.
     void complain_at(const std::string& key, std::string message);
 
     void remember(const std::string& key, const Node& node);
-    // Whether there is a complaint about it.
+    // Whether there is a complaint about the key.
     bool blames(const std::string& key) const;
     bool knows(const std::string& key) const { return places_.contains(key); }
     const std::map<std::string, KeyPlace>& places() const { return places_; }
 
-    // Problems that leave open which inputs the model has, so that names of inputs cannot be checked.
+    // Called after problems that leave open which inputs the model has, so that names of inputs cannot be checked.
     void lose_inputs() { inputs_known_ = false; }
     bool inputs_known() const { return inputs_known_; }
 
     bool clean() const { return problems_.empty(); }
-    // More problems are counted, not listed: not worth a search for the right word.
+    // Whether further problems are only counted and not listed, so that it is not worth searching for suggestions.
     bool full() const;
-    // Throws CaseError when there were problems.
+    // Throws CaseError if there were problems.
     void finish();
 
   private:
@@ -67,18 +67,18 @@ struct ModelNames {
     std::string mechanism;
     std::vector<Quantity> inputs;
     std::vector<Quantity> outputs;
-    bool inputs_known = true;  // false: the model itself could not be read, so a name that is not found may be right
+    bool inputs_known = true;  // false: the model itself could not be read, so an unknown name may be right
 };
 struct KnownNames {
     std::span<const ModelNames> models;  // empty: no name can be judged
-    std::string_view output;             // what complaints call an output of these: "an output of the mechanism"
+    std::string_view output;             // the term for its outputs in complaints: "an output of the mechanism"
 };
 
-// One table of the tree. Every key asked for is a known key; finish() complains about the others.
+// One table of the tree. Every key that is asked for becomes a known key; finish() complains about the others.
 class Section {
   public:
     Section(Reading& reading, const Node& table, std::string path);
-    // Part of a section: names mean the same in it, and so do numbers of Dimension::named.
+    // A part of a section, in which names and numbers of Dimension::named have the same meaning.
     Section(const Section& around, const Node& table, std::string path);
 
     Reading& reading() const { return *reading_; }
@@ -86,12 +86,12 @@ class Section {
     std::string path_of(std::string_view key) const;
     const Place& place() const { return table_->place; }
 
-    // Makes a key known without reading it.
+    // Declares a key as known without reading it.
     void allow(std::string_view key);
     bool is_allowed(std::string_view key) const;
-    // The key's value, nullptr when absent.
+    // The value of the key; nullptr if absent.
     const Node* take(std::string_view key);
-    // The same, with a complaint when absent: "is required: <what>".
+    // The same, with a complaint "is required: <what>" if absent.
     const Node* require(std::string_view key, std::string_view what);
     bool contains(std::string_view key) const { return table_->find(key) != nullptr; }
     const Node* peek(std::string_view key) const { return table_->find(key); }
@@ -100,12 +100,12 @@ class Section {
 
     const KnownNames& names() const { return names_; }
     void refer_to(const KnownNames& names) { names_ = names; }
-    // The quantity that numbers of Dimension::named are values of from here on; null: a name that nobody knows, so that
-    // none can be judged.
+    // Sets the quantity of which numbers of Dimension::named are values from here on; null if its name is unknown, so
+    // that none of them can be checked.
     void name_quantity(const Quantity* quantity) { named_ = quantity; }
     const std::optional<const Quantity*>& named() const { return named_; }
 
-    // `hint(key)` may explain a key that is unknown here; an empty hint leaves it to the spelling.
+    // `hint(key)` may explain a key that is unknown here; if the hint is empty, a key of similar spelling is suggested.
     template <class Hint>
     void finish(Hint&& hint) const {
         for (const auto& [key, node] : table_->entries) {
@@ -119,7 +119,7 @@ class Section {
     }
 
   private:
-    // True of what the file says of another kind than the one that --set chose.
+    // Whether the node belongs to another kind than the one chosen by --set.
     bool belongs_to_replaced_kind(const Node& node) const;
     void complain_unknown(const std::string& key, const Node& node, const std::string& hint) const;
 
@@ -128,37 +128,37 @@ class Section {
     std::string path_;
     std::vector<std::string> allowed_;
     KnownNames names_ = {};
-    std::optional<const Quantity*> named_ = {};  // absent: nothing was named
+    std::optional<const Quantity*> named_ = {};  // absent: no quantity was named
 };
 
-// The value in SI, inside the range; nothing, with a complaint, when it is not.
+// The value in SI if it is within the range; otherwise it complains and returns nothing.
 std::optional<double> read_number(Reading& reading, const Node& node, const std::string& path, Dimension dimension,
                                   const Interval& range);
 std::optional<double> read_number(Section& section, std::string_view key, Dimension dimension, const Interval& range,
                                   std::string_view what);
 
 std::optional<std::string> read_text(Reading& reading, const Node& node, const std::string& path);
-// Empty, with a complaint, when absent or blank.
+// Complains and returns an empty text if absent or blank.
 std::string require_text(Section& section, std::string_view key, std::string_view what);
-// Empty when absent.
+// Empty if absent.
 std::string read_optional_text(Section& section, std::string_view key);
-// A list of texts, appended; nothing when absent.
+// Appends a list of texts; does nothing if absent.
 void read_words(Section& section, std::string_view key, std::vector<std::string>& words);
 
 std::optional<WrittenValue> read_written(Reading& reading, const Node& node, const std::string& path);
 
-// Nothing, with a complaint, for a number that is not whole or out of the range.
+// Complains and returns nothing for a number that is not whole or out of the range.
 std::optional<std::int64_t> read_whole_number(Reading& reading, const Node& node, const std::string& path,
                                               const Interval& range);
-// Points [x, y], coordinates of a dimension.
+// Points [x, y] whose coordinates have the given dimension.
 Polyline read_polyline(Reading& reading, const Node& node, const std::string& path, Dimension dimension);
-// Two texts; `meaning` says which in a complaint.
+// Two texts; `meaning` describes them in a complaint.
 std::array<std::string, 2> read_pair(Reading& reading, const Node& node, const std::string& path,
                                      std::string_view meaning);
 
-// The table of a key, or nullptr with a complaint when its value is something else.
+// The table of a key; complains and returns nullptr if its value is something else.
 const Node* as_table(Reading& reading, const Node& node, const std::string& path);
-// The same of a key that may be absent.
+// The same for a key that may be absent.
 const Node* take_table(Section& section, std::string_view key);
 
 // Calls read(section) for the table of a key, which may be absent.
@@ -171,15 +171,15 @@ void for_table(Section& around, std::string_view key, Read&& read) {
     }
 }
 
-// Calls read(element section) for each table of an array of tables; absent is empty.
+// Calls read(element section) for each table of an array of tables; an absent array is empty.
 template <class Read>
 void for_each_table(Section& section, std::string_view key, Read&& read);
 
-// Index of a word in a list; nothing, with a complaint that names the choices, when it is not in it.
+// Index of a word in a list; if it is not there, complains with the choices and returns nothing.
 std::optional<std::size_t> read_choice(Reading& reading, const Node& node, const std::string& path,
                                        const std::vector<std::string>& words);
 
-// Complains when the value is not an array of tables.
+// Complains and returns null if the value is not an array of tables.
 const std::vector<Node>* as_tables(Reading& reading, const Node& node, const std::string& path);
 
 template <class Read>

@@ -26,7 +26,8 @@ using System = std::unique_ptr<ut_system, FreeSystem>;
 using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 using Converter = std::unique_ptr<cv_converter, FreeConverter>;
 
-// udunits2 reads the numbers of its database in the language that the process has set, as a program in Python may.
+// Sets decimal points for this thread: udunits2 reads the numbers of its database in the locale of the process, which a
+// program in Python may have set.
 class DecimalPoints {
   public:
     DecimalPoints() : points_(::newlocale(LC_NUMERIC_MASK, "C", nullptr)), before_(::uselocale(points_)) {}
@@ -39,7 +40,7 @@ class DecimalPoints {
 
   private:
     locale_t points_;
-    locale_t before_;  // of this thread
+    locale_t before_;  // that the thread had before
 };
 
 System read_database() {
@@ -79,7 +80,7 @@ const DimensionWords& dimension_words(Dimension dimension) {
 }
 
 UnitFactor unit_factor(std::string_view unit, Dimension dimension) {
-    // The parser of udunits2 keeps its state in globals.
+    // The parser of udunits2 keeps its state in global variables.
     static std::mutex parsing;
     const std::lock_guard lock(parsing);
     const DecimalPoints points;
@@ -102,7 +103,7 @@ UnitFactor unit_factor(std::string_view unit, Dimension dimension) {
     const double factor = cv_convert_double(converter.get(), 1.0);
     const bool linear = cv_convert_double(converter.get(), 0.0) == 0.0 &&
                         std::abs(cv_convert_double(converter.get(), 2.0) - 2 * factor) <= 1e-15 * std::abs(factor);
-    // A reciprocal unit counts as convertible for udunits2 (s and Hz); its converter is not linear.
+    // udunits2 regards a reciprocal unit as convertible (s and Hz), but its converter is not linear.
     if (!linear || !(factor > 0) || !std::isfinite(factor)) {
         return {.known = true, .si_per_unit = std::nullopt};
     }

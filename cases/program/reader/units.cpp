@@ -22,12 +22,12 @@ bool is_digit(char character) {
 bool is_letter(char character) {
     return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z');
 }
-// Bytes of a UTF-8 sequence: the degree and micro signs, superscripts, the raised dot.
+// The bytes of UTF-8 characters such as the degree and micro signs, superscripts and the raised dot.
 bool is_beyond_ascii(char character) {
     return static_cast<unsigned char>(character) >= 0x80;
 }
 
-// Ways to write a unit that the library of units does not know.
+// Spellings of units that udunits2 does not know.
 std::string_view usual_spelling(std::string_view unit) {
     struct Spelling {
         std::string_view as_written;
@@ -45,8 +45,8 @@ std::string_view usual_spelling(std::string_view unit) {
     return found == spellings.end() ? unit : found->meant;
 }
 
-// Only named units, products, quotients and one-digit exponents: udunits2 itself would take "kN/m3 2" for a factor of
-// two and "degC @ 3" for an offset.
+// Allows only named units, products, quotients and one-digit exponents: udunits2 itself would take "kN/m3 2" for a
+// factor of two and "degC @ 3" for an offset.
 bool is_plain_unit(std::string_view unit) {
     if (unit.size() > longest_unit ||
         !(is_letter(unit.front()) || unit.front() == '%' || is_beyond_ascii(unit.front()))) {
@@ -77,7 +77,7 @@ bool is_plain_unit(std::string_view unit) {
     return true;
 }
 
-// udunits2 counts a radian as the number 1, so that "kPa deg" would be a stress.
+// udunits2 treats a radian as the number 1, so that "kPa deg" would be a stress.
 bool mentions_angle(std::string_view unit) {
     constexpr std::array<std::string_view, 10> angles = {"rad",     "radian",    "radians", "deg",   "degree",
                                                          "degrees", "arcdegree", "sr",      "grade", "arcminute"};
@@ -111,7 +111,7 @@ std::optional<double> angle_factor(std::string_view unit) {
     return std::nullopt;
 }
 
-// "deg/s", "rad/min": an angle over a time, each as it would stand alone.
+// "deg/s", "rad/min": an angle divided by a time, each with a unit of its own.
 std::optional<double> angular_speed_factor(std::string_view unit) {
     const std::size_t slash = unit.find('/');
     if (slash == std::string_view::npos) {
@@ -267,7 +267,7 @@ std::string shortest_number(double value) {
 std::string written_quantity(double value, Dimension dimension) {
     if (dimension == Dimension::ratio) {
         const std::string text = shortest_number(value);
-        // A long integer would not fit the integers of TOML.
+        // A long whole number would not fit the integers of TOML, so it is written as a real number.
         return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
     }
     const DisplayUnit unit = display_unit(dimension);

@@ -64,7 +64,7 @@ std::string determined_in_words(const MechanismFit& fit) {
     return "The data determine " + what + " of its " + parameters + (rank >= count ? " near the best point" : "");
 }
 
-// "30.9 deg to 39.6 deg", "at most 12.1 kPa": an end at a bound is no finding.
+// "30.9 deg to 39.6 deg" or "at most 12.1 kPa": an end at a bound of the search is not stated.
 std::string range_in_words(const ProfileLikelihood* profile, const FreeParameter& parameter, Dimension dimension) {
     if (profile == nullptr) {
         return "";
@@ -82,7 +82,7 @@ std::string range_in_words(const ProfileLikelihood* profile, const FreeParameter
            " with 95 %";
 }
 
-// The first parameters alone: a case names those first that matter most.
+// Only the first parameters, because a case names the most important ones first.
 std::string values_in_words(const MechanismFit& fit, std::size_t most) {
     std::vector<std::string> values;
     for (std::size_t index = 0; index < std::min(most, fit.best.size()); ++index) {

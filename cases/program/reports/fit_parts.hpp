@@ -10,54 +10,54 @@
 
 namespace delabole {
 
-// Says which mechanism explains the observations best, what the data determine of it, and its first parameters.
+// The mechanism that explains the observations best, what the data determine of it, and its first parameters.
 HeadCard head_card(const FitResult& result);
 
 std::string title_of(const MechanismFit& fit);
 
-// "friction angle" of "strength.friction_angle" where no other parameter ends so.
+// "friction angle" for "strength.friction_angle" if no other parameter has the same ending.
 std::string short_name(const MechanismFit& fit, const std::string& name);
 
-// A sum of squared pulls; 0 where it is rounding.
+// A sum of squared pulls; a rounding error is shown as 0.
 std::string misfit_in_words(double misfit);
 
-// Null where the fit has no profile of that parameter.
+// Null if the fit has no profile of that parameter.
 const ProfileLikelihood* profile_of(const MechanismFit& fit, const std::string& parameter, bool with_priors);
 
-// The 95 % interval, its ends marked where they are bounds of the search: those are no evidence.
+// The 95 % interval. Ends that are bounds of the search are marked, because the data do not determine them.
 std::string interval_in_words(const ProfileLikelihood* profile, const FreeParameter& parameter, Dimension dimension);
 
-// A table of the report on the terminal, indented, under shorter titles; nothing where it has no rows.
+// A table of the report for the terminal, indented and with shorter titles; empty if the table has no rows.
 std::string screen_of(const Table& table, std::vector<std::string> titles);
 
-// Folded, for the end of what the report says of the mechanism.
+// Details of what the data determine, folded, for the end of a mechanism's part of the report.
 Folded knowledge_of(const MechanismFit& fit, const ResultFolder& folder);
 
-// The first mechanism's probability, as "91 %"; empty where none was compared with it.
+// The first mechanism's probability, such as "91 %"; empty if there was no other to compare it with.
 std::string probability_of_best(const FitResult& result);
 
-// Says whether the order of the mechanisms is the same with other priors and another model error; empty where there is
-// no order or nothing was changed.
+// Whether the order of the mechanisms is the same with other priors and another model error; empty if there is no order
+// or nothing was changed.
 std::string dependence_of_ranking(const FitResult& result);
 
-// Evidences of all mechanisms against each other: table and figures for the report, evidence.csv. Nothing where no
+// Comparison of the evidences of all mechanisms: table and figures for the report, evidence.csv. Nothing if no
 // posterior was asked for.
 void append_evidence(const FitResult& result, const ResultFolder& folder, Report& report);
 Json json_of_evidence(const FitResult& result);
 std::string screen_of_evidence(const FitResult& result);
 
-// One mechanism's intervals with their diagnostics, its draws as <name>_draws.csv. Nothing where the fit has no
+// One mechanism's intervals with their diagnostics, and its draws as <name>_draws.csv. Nothing if the fit has no
 // posterior.
 void append_posterior(const MechanismFit& fit, const ResultFolder& folder, Report& report);
 Json json_of_posterior(const MechanismFit& fit);
 std::string screen_of_posterior(const MechanismFit& fit);
 
-// How many runs, how well the surrogate knows them, what that leaves open. The mechanism has to have a surrogate.
+// Number of runs, accuracy of the surrogate, and the resulting uncertainty. The mechanism has to have a surrogate.
 std::string surrogate_in_words(const MechanismFit& fit);
 
 Json json_of_surrogate(const MechanismFit& fit);
 
-// Parameters, misfit and failure of every run, as <mechanism>_runs.csv.
+// Writes parameters, misfit and failure of every run to <mechanism>_runs.csv.
 void write_runs(const MechanismFit& fit, const ResultFolder& folder);
 
 }  // namespace delabole

@@ -175,7 +175,7 @@ void write_tables(const MechanismFit& fit, const ResultFolder& folder) {
             profiles.add_row({profile.parameter, profile.with_priors ? "yes" : "no",
                               in_display_unit(rounded(profile.values[point], range), dimension),
                               std::string(display_unit(dimension).symbol),
-                              rounded(profile.misfits[point], 1e-10)});  // of 1e-5 standard deviations
+                              rounded(profile.misfits[point], 1e-10)});  // 1e-5 standard deviations
         }
     }
     folder.write(fit.name + "_profiles.csv", profiles.text());
@@ -202,7 +202,7 @@ CaseModel at_best_point(const MechanismFit& fit, const CaseModel& model) {
     return with_conditions(model, best);
 }
 
-// Figures of the mechanism's own model at the best point, and a case that `run` takes to answer all else about it.
+// Figures of the mechanism's own model at the best point, and a case with which `run` shows everything else about it.
 void append_best_point(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
                        const FitProblem& problem) {
     if (fit.best.empty()) {
@@ -216,7 +216,7 @@ void append_best_point(Report& report, const ResultFolder& folder, const Mechani
                best.model);
 }
 
-// Misfit over the first two parameters; nothing where the fit holds no map.
+// Misfit over the first two parameters; nothing if the fit holds no map.
 std::optional<FigureInReport> map_of(const MechanismFit& fit, const ResultFolder& folder) {
     const auto map = misfit_map_figure(fit);
     return map ? std::optional(folder.draw(*map, fit.name + "_misfit_map",
@@ -232,7 +232,7 @@ Folded sampling_of(const MechanismFit& fit, const ResultFolder& folder) {
     return {"Its posterior: draws and chains", std::move(posterior.blocks)};
 }
 
-// All of a mechanism but its first figure, which goes to `sections`.
+// Everything about a mechanism except its first figure, which is added to `sections`.
 void append_mechanism(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
                       const FitProblem& problem, FigureRow& sections) {
     report.blocks.emplace_back(Heading{title_of(fit) == report.title ? "What was fitted" : title_of(fit)});
@@ -300,7 +300,7 @@ std::string screen_of(const MechanismFit& fit, const std::string& title) {
     return text;
 }
 
-// The toe's elevation in the case's own section; 0 where it has none.
+// The toe's elevation in the case's own section; 0 if it has none.
 double toe_elevation_of(const CaseModel& model) {
     for (const Quantity& input : named_inputs(model)) {
         if (input.name == "slope.toe_elevation") {

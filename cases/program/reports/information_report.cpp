@@ -9,7 +9,7 @@ namespace delabole {
 
 namespace {
 
-// "34 +- 2 %", two standard errors.
+// "34 +- 2 %", with two standard errors.
 std::string share_in_words(const ExpectedReduction& share) {
     return number_in_words(100 * share.value) + " \u00b1 " + number_in_words(200 * share.error) + " %";
 }

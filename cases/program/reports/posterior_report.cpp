@@ -12,13 +12,13 @@ namespace delabole {
 
 namespace {
 
-// The mechanisms that were sampled, with their weights against each other.
+// The mechanisms that were sampled, with their weights relative to each other.
 struct Weighed {
     std::vector<const MechanismFit*> fits;
     std::vector<MechanismWeight> with_field_evidence;
     std::vector<MechanismWeight> data_alone;
 
-    // The probability of a single mechanism is 1 whatever it explains.
+    // A single mechanism always has the probability 1, which says nothing.
     bool compared() const { return fits.size() > 1; }
 };
 
@@ -46,11 +46,11 @@ Weighed weighed(const FitResult& result) {
 
 std::string percent_with_error(const MechanismWeight& weight) {
     const std::string text = number_in_words(100 * weight.probability);
-    // An error that cannot be seen beside the number says nothing.
+    // An error that would be rounded to 0 is not shown.
     return weight.standard_error < 0.0005 ? text : text + " +- " + number_in_words(100 * weight.standard_error);
 }
 
-// "1 : 37" against the best.
+// Bayes factor relative to the best mechanism: "1 : 37".
 std::string bayes_factor_in_words(double log_bayes_factor) {
     if (log_bayes_factor == 0) {
         return "best";
@@ -62,7 +62,7 @@ std::string logarithm_in_words(double value, double error) {
     return std::isfinite(value) ? number_in_words(value) + " +- " + number_in_words(error) : "none";
 }
 
-// Bayes factor and probabilities, where there is something to compare with.
+// Appends Bayes factor and probabilities if there are several mechanisms.
 void append_comparison(const Weighed& all, std::size_t index, std::vector<std::string>& row) {
     if (all.compared()) {
         row.push_back(bayes_factor_in_words(all.with_field_evidence[index].log_bayes_factor));
@@ -91,7 +91,7 @@ Table evidence_table_of(const Weighed& all) {
     return table;
 }
 
-// Says whether the order of the mechanisms is the same whatever is changed.
+// Whether the order of the mechanisms is the same under all variants.
 std::string dependence_in_words(const Weighed& all) {
     const auto& variants = all.fits.front()->posterior->evidences;
     if (variants.size() < 2 || all.fits.size() < 2) {
@@ -167,7 +167,7 @@ Table posterior_table(const MechanismFit& fit) {
                  "effective size, bulk"_number, "effective size, tails"_number}};
     for (const ParameterPosterior& parameter : fit.posterior->posterior.parameters) {
         const Dimension dimension = fit.dimension_of(parameter.name);
-        // Four digits, or every R-hat would read 1.
+        // Four digits, since otherwise every R-hat would be shown as 1.
         const std::string r_hat = std::isfinite(parameter.diagnostics.r_hat)
                                       ? std::to_string(parameter.diagnostics.r_hat).substr(0, 5)
                                       : "infinite";

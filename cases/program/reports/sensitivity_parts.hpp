@@ -11,16 +11,16 @@
 
 namespace delabole {
 
-// The study as all parts of its report need it.
+// The parts of a study that all parts of its report need.
 struct StudySubject {
     const SensitivityStudy& study;
     StudiedQuantity quantity;
     ParameterNames names = {};
     std::vector<Dimension> dimensions = {};  // of the parameters
     InputSpace space;
-    std::optional<FailureCriterion> criterion;  // with the words that decide by the model's bounds
+    std::optional<FailureCriterion> criterion;  // with the words that decide through the model's bounds
     std::vector<OutputBound> bounds = {};       // of the quantity
-    std::vector<Dimension> swept = {};          // of the quantities of the sweep: this one, then the further ones
+    std::vector<Dimension> swept = {};  // of the quantities of the sweep: the studied one, then the further ones
 
     explicit StudySubject(const SensitivityProblem& problem);
 
@@ -33,7 +33,7 @@ struct StudySubject {
 // "6.4 %", "6.2 to 6.7 %"
 std::string percent(double share);
 std::string percent_range(const Interval& interval);
-// "1.34 (1.33 to 1.35)", in units of so much SI.
+// "1.34 (1.33 to 1.35)"; `unit` is the SI value of the unit shown.
 std::string with_interval(const Estimate& estimate, double unit);
 Json json_of(const Estimate& estimate, double unit);
 Json json_of(const EvaluationCount& count);
@@ -46,7 +46,7 @@ std::string reliability_in_words(const ReliabilityResult& result);
 // Each appends blocks to the report, fills its part of the JSON and writes its tables and figures.
 void document_tornado(const StudySubject& subject, const TornadoResult& result, const ResultFolder& folder,
                       Report& report, Json& json);
-// Sentences on the parameters that move each quantity most, and on those along which it turns.
+// Sentences on the parameters with the greatest effect on each quantity, and on those for which it is not monotone.
 std::vector<std::string> sweep_findings(const StudySubject& subject, const std::vector<SweepResult>& results);
 void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>& results, const ResultFolder& folder,
                      Report& report, Json& json);

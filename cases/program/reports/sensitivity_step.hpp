@@ -15,12 +15,12 @@ struct SensitivityStep {
     std::string words;
 };
 
-// 1 deg of an angle, 0.05 of a ratio, a length of 2 % of the slope height, a stress of 2 % of the overburden, 2 % of
-// anything else. Lengths and stresses are compared with the slope and not with themselves: 5 % of an elevation, or of
-// no cohesion, says nothing.
+// 1 deg for an angle, 0.05 for a ratio, 2 % of the slope height for a length, 2 % of the overburden for a stress, 2 %
+// of the value for anything else. Lengths and stresses are compared with the slope, because a percentage of an
+// elevation, or of a cohesion of zero, has no meaning.
 SensitivityStep sensitivity_step(Dimension dimension, double value, double slope_height, double overburden);
 
-// The standard deviation of its prior, where the input is one that a fit leaves free; otherwise the step above.
+// The standard deviation of its prior if a fit leaves the input free; otherwise the step above.
 SensitivityStep sensitivity_step(std::string_view input, const std::vector<FreeParameter>& fitted, Dimension dimension,
                                  double value, double slope_height, double overburden);
 

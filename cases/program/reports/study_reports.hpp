@@ -18,51 +18,53 @@
 namespace delabole {
 
 struct StudyDocuments {
-    Json json;                           // everything but provenance
+    Json json;                           // everything except the provenance
     std::string screen;                  // verdicts and findings first
-    std::vector<ReportBlock> details{};  // one mechanism after the other, for the end of the report
+    std::vector<ReportBlock> details{};  // one mechanism after another, for the end of the report
 };
 
-// "converged", or what keeps the result from being the answer: the worst of what the mechanisms say.
+// "converged", or the worst status among the mechanisms.
 std::string status_of_fit(const FitResult& result);
 
-// result.json of `delabole fit`, but for its provenance and for what was asked beyond the fit.
+// result.json of `delabole fit` without its provenance and without the studies beyond the fit.
 Json json_of_fit(const CaseFile& file, const FitResult& result);
 
-// Figures and CSV tables are written into the folder, blocks are appended to the report, the answer in front of what it
-// holds already.
+// Writes figures and CSV tables into the folder and appends blocks to the report; the answer is placed before the
+// blocks that it already holds.
 StudyDocuments document_fit(const CaseFile& file, const FitProblem& problem, const FitResult& result,
                             const ResultFolder& folder, Report& report);
 
-// Appends blocks to the report and writes conclusions.csv into the folder. `findings` are those of `conclusions`.
+// Appends blocks to the report and writes conclusions.csv into the folder. `findings` belong to `conclusions`, in
+// order.
 StudyDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
                                     const std::vector<ConclusionFinding>& findings, const ResultFolder& folder,
                                     Report& report);
 
-// Appends blocks to the report and writes table and figure into the folder. `information` is that of `candidates`.
+// Appends blocks to the report and writes table and figure into the folder. `information` belongs to `candidates`, in
+// order.
 StudyDocuments document_information(const std::vector<FitCandidate>& candidates,
                                     const std::vector<CandidateInformation>& information, const ResultFolder& folder,
                                     Report& report);
 
-// Appends blocks to the report and writes tables and figures into the folder. `at_best`: the truth was the best
-// fit.
+// Appends blocks to the report and writes tables and figures into the folder. `at_best`: the known parameters were
+// those of the best fit.
 StudyDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries, bool at_best,
                                  const ResultFolder& folder, Report& report);
 
-// Figures and CSV files are written into the folder, blocks are appended to the report. The case has a [sensitivity]
-// section, from which the problem was made.
+// Writes figures and CSV files into the folder and appends blocks to the report. The problem was made from the
+// [sensitivity] section of the case.
 StudyDocuments document_sensitivity(const CaseFile& file, const SensitivityProblem& problem,
                                     const SensitivityResult& result, const ResultFolder& folder, Report& report);
 
-// The quantity whose error is told, and its accurate value.
+// The quantity whose error is shown, and the source of its accurate value.
 struct TradeTruth {
     std::string quantity;     // "critical_tilt"
     Dimension dimension;      // of it
-    std::string where_from;   // for a sentence
+    std::string where_from;   // its source, for a sentence
     double half_bracket = 0;  // SI; no setting can show a smaller error
 };
 
-// The figure and trade.csv are written into the folder, blocks are appended to the report.
+// Writes the figure and trade.csv into the folder and appends blocks to the report.
 StudyDocuments document_trade(const std::vector<TradeKnob>& knobs, const TradeResult& result, const TradeTruth& truth,
                               const ResultFolder& folder, Report& report);
 

@@ -119,7 +119,8 @@ Json json_of(const std::vector<TradeKnob>& knobs, const TradeRow& row, Dimension
     return json;
 }
 
-// Groups in the order of their first setting; the first two, the case's own and the qualities, are drawn last, on top.
+// Groups in the order of their first setting. The first two, the case's own setting and the qualities, are drawn last,
+// so that they lie on top.
 std::vector<TradeCloud> clouds_of(const TradeResult& result, Dimension dimension) {
     std::vector<TradeCloud> clouds;
     std::map<std::string, std::size_t> place;

@@ -69,7 +69,7 @@ void mark_none(Analysis& analysis, std::string_view prefix) {
 std::vector<std::string> questions_about(const CaseModel& model) {
     std::vector<std::string> questions;
     const auto ask = [&](const std::string& key, double height) {
-        constexpr double highest = 5000;  // m; more than any mountain stands above its foot
+        constexpr double highest = 5000;  // m; greater than the height of any mountain above its foot
         if (height > highest) {
             questions.push_back(key + " is " + value_in_words(height, Dimension::length) + " high: is that meant?");
         }

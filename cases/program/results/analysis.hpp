@@ -1,5 +1,5 @@
-// One case analysed, in names and numbers: every model behind the same few functions, so that verify and the loops need
-// not know which. The model's own answer, which its figures take too, is in model_reports.hpp.
+// The analysis of one case as names and numbers. Every model has the same few functions, so that verify and the loops
+// need not know which model it is. The model's own answer, from which its figures are drawn, is in model_reports.hpp.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
@@ -21,19 +21,19 @@
 
 namespace delabole {
 
-// A number in SI or a word, under the name by which [[expect]], JSON and CSV know it. A quantity that has no value
-// keeps its name in every model: its value is then a word. "infinite" and "-infinite" are values; "none" says that
-// there is nothing to give a number of, a more telling word why none was found ("never_reached").
+// A number in SI or a word, with the name that it has in [[expect]], JSON and CSV. A quantity without a value keeps its
+// name and has a word instead: "infinite" and "-infinite" are values, "none" means that the quantity does not exist,
+// and other words tell why no number was found ("never_reached").
 struct NamedOutput {
     std::string name;
     std::string meaning;
     Dimension dimension = Dimension::ratio;
     std::variant<double, std::string> value;
-    bool detail = false;  // one of many alike: in the result files, but not in the short table of answers
+    bool detail = false;  // one of many similar outputs: in the result files, but not in the short table of answers
 };
 
 struct Analysis {
-    std::string failure;  // name of the check that failed, empty where there is an answer
+    std::string failure;  // name of the check that failed; empty if there is an answer
     std::vector<NamedOutput> outputs;
     std::vector<std::string> warnings;
     std::string status = "ok";  // otherwise the word for what ended the work before it had a final answer,
@@ -42,14 +42,14 @@ struct Analysis {
     const NamedOutput* find(std::string_view name) const;
 };
 
-// "none" for every output whose name begins so; these are details then.
+// Sets every output whose name begins with `prefix` to "none"; these outputs are then details.
 void mark_none(Analysis& analysis, std::string_view prefix);
 
-// Asks whether values that are possible and yet hardly meant, as a height beyond that of any slope, are. They are among
-// the warnings of an analysis.
+// Questions about values that are possible but probably a mistake, such as a height beyond that of any slope. They are
+// among the warnings of an analysis.
 std::vector<std::string> questions_about(const CaseModel& model);
 
-// The values that are asked for, in their order. Each is computed by the problem's own required_value.
+// The requested values in order, each computed by the problem's own required_value.
 template <class Problem>
 std::vector<Required> required_values(const Problem& problem, const std::vector<RequiredValue<>>& requests) {
     std::vector<Required> values;
@@ -63,40 +63,40 @@ std::vector<Required> required_values(const Problem& problem, const std::vector<
 void append_required_values(Analysis& analysis, const std::vector<RequiredValue<>>& requests,
                             const std::vector<Required>& values);
 
-// The same in a sentence.
+// Such a value in a sentence.
 std::string required_in_words(const std::string& parameter, double target, const Required& required);
 
-// Appends the force of each pattern of bolts as "support[1].force"; warns where rows hold nothing.
+// Appends the force of each pattern of bolts as "support[1].force"; warns of rows that hold nothing.
 void append_support(Analysis& analysis, const std::vector<std::vector<BoltRow>>& patterns);
 
-// Named numbers of the model set to other values than the case's. Unknown names: std::invalid_argument.
+// The model with other values for some named numbers. Throws std::invalid_argument for unknown names.
 CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions);
 
-// Told now and then what share of the work is done, 0 to 1, what is being done, and whether a verdict may end it
-// sooner; returning false ends the work.
+// Called repeatedly with the share of the work done, 0 to 1, what is being done, and whether a verdict may end the work
+// sooner; if it returns false the work ends.
 using AnalysisWatch = std::function<bool(double share, const std::string& what, bool may_end_sooner)>;
 
-// How a model is analysed. The answer depends on none of it, except on a watch that ends the work.
+// How a model is analysed. The answer does not depend on it, unless `watch` ends the work.
 struct AnalysisWork {
     AnalysisWatch watch = {};
-    std::function<void(const std::string&)> say = {};  // what the user should know before the answer
+    std::function<void(const std::string&)> say = {};  // receives messages for the user before the answer
     unsigned threads = 1;
-    // Long work keeps there what it has and goes on from it; OutputError where another's work stands there. Empty: it
-    // does neither.
+    // File in which long work saves its state and from which it continues; OutputError if the file there belongs to
+    // other work. If empty, nothing is saved.
     std::filesystem::path checkpoint = {};
     std::chrono::duration<double> between_checkpoints{60};
 };
 
 Analysis analyse_model(const CaseModel& model, const AnalysisWork& work = {});
 
-// Analysis::failure alone, where that takes less.
+// Analysis::failure alone, which some models find faster.
 std::string failure_of(const CaseModel& model);
 
-// The model as the loops see it.
+// The model in the form that fits, sensitivity studies and other loops use.
 ModelInterface interface_of(const CaseModel& model);
 
-// Every number, word and text of a described result under its name. What stands in lists is detail. An empty text is
-// the word "none".
+// Appends every number, word and text of a described result under its name. Members of lists are details. An empty text
+// becomes the word "none".
 template <Described Result>
 void append_outputs(Analysis& analysis, const Result& result, const std::string& path = {}, bool detail = false) {
     visit_fields(result, [&](const FieldInfo& info, const auto& member) {

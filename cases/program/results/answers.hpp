@@ -1,4 +1,4 @@
-// Answers of models to their cases that hold more than one result of the library.
+// Answers to cases that consist of more than one result of the library.
 #pragma once
 
 #include "dynamic_relaxation/scene/slope_scene.hpp"
@@ -15,39 +15,38 @@ namespace delabole {
 
 struct PlaneFailureAnswer {
     ResolvedStudy resolved;
-    PlaneFailureResult result{};                // the rest is empty unless its check is valid
-    std::vector<Required> required{};           // in the order of the study
-    std::optional<OptimumBolt> optimum_bolt{};  // where there is a bolt
+    PlaneFailureResult result{};                // the other members are empty unless its check is valid
+    std::vector<Required> required{};           // in the order of the study's requests
+    std::optional<OptimumBolt> optimum_bolt{};  // if there is a bolt
 };
 
-// Columns in one state, and by what the strength was divided for it.
+// Columns in one state, and the factor by which the strength was divided to reach it.
 struct ColumnState {
     std::vector<ColumnResult> columns{};
     double factor = 1;
-    std::string name{};  // of the state, in words
+    std::string name{};  // of the state, for reports
 };
 
 struct SteppedBaseAnswer {
     ResolvedSteppedBase resolved;
-    SteppedBaseResult result{};  // the rest is empty unless its check is valid
+    SteppedBaseResult result{};  // the other members are empty unless its check is valid
     ColumnSlope<> slope{};
     ColumnState as_given{};
-    ColumnState limiting{};                       // as given where there is no limiting equilibrium
-    std::vector<Required> required{};             // in the order of the study
-    std::vector<CableForce> required_cable{};     // likewise
-    std::optional<BoundState> bound{};            // where it is asked for and can be afforded
-    std::optional<BoundState> bound_of_blocks{};  // likewise
+    ColumnState limiting{};                       // as given if there is no limiting equilibrium
+    std::vector<Required> required{};             // in the order of the study's requests
+    std::vector<CableForce> required_cable{};     // in the order of the study's requests
+    std::optional<BoundState> bound{};            // if it is asked for and not too large to compute
+    std::optional<BoundState> bound_of_blocks{};  // if it is asked for and not too large to compute
 };
 
 struct RelaxationStudyAnswer {
-    std::optional<SlopeScene> slope{};  // where the scene is one that joints cut
-    RelaxationRun run{};                // at the case's own values; its result says whether
-                                        // there is an answer
-    // These two are set where a critical value is asked for and the run was not interrupted.
+    std::optional<SlopeScene> slope{};  // if joints cut the scene from a slope
+    RelaxationRun run{};                // at the case's own values; its result tells whether there is an answer
+    // The next two are set if a critical value is asked for and the run was not interrupted.
     std::optional<CriticalPlan> plan{};
     std::optional<CriticalAnswer> critical{};
-    std::optional<double> bound_of_statics{};  // greatest factor of safety, where it can be bounded
-    std::optional<Prediction> mean{};          // of the ensemble, where one is asked for and the first has an answer
+    std::optional<double> bound_of_statics{};  // greatest factor of safety, if a bound exists
+    std::optional<Prediction> mean{};          // of the ensemble, if one is asked for and its first run has an answer
 };
 
 }  // namespace delabole

@@ -31,7 +31,7 @@ std::string conditions_in_words(const std::vector<Condition>& conditions, const 
     return text;
 }
 
-// A value written in a case, whose dimension only the computed result tells.
+// A value written in a case, converted with the dimension of the computed result.
 double written_number(const CaseFile& file, const Expectation& expected, const WrittenValue& written,
                       Dimension dimension) {
     const ParsedQuantity parsed = parse_value(written, dimension);

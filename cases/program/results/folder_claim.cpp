@@ -38,8 +38,8 @@ std::vector<fs::path> missing_folders(const fs::path& folder) {
     return missing;
 }
 
-// Whether the program could have written it: a file of the folder itself or of its subfolders. A list may come from
-// somebody else and name any file there is.
+// Whether this program can have written the file: it lies in the folder itself or in one of its subfolders. A list may
+// come from another user and name any file there is.
 bool may_be_own(const fs::path& name) {
     const fs::path parent = name.parent_path();
     const std::string file = name.filename().string();
@@ -72,7 +72,7 @@ FolderClaim::~FolderClaim() {
             ::unlink(list_.c_str());
         }
         for (auto folder = created_.rbegin(); folder != created_.rend(); ++folder) {
-            ::rmdir(folder->c_str());  // refused where something is in it
+            ::rmdir(folder->c_str());  // fails if the folder holds anything
         }
     }
     ::close(descriptor_);
@@ -87,7 +87,7 @@ void FolderClaim::open_list() {
             descriptor_ = ::open(list_.c_str(), flags);
         }
         if (descriptor_ < 0 && errno == ENOENT) {
-            continue;  // removed between the two
+            continue;  // another process removed it between the two calls
         }
         if (descriptor_ < 0) {
             throw OutputError(list_, reason_of(errno));
@@ -99,7 +99,7 @@ void FolderClaim::open_list() {
     }
 }
 
-// False where whoever had the claim removed the list before it was locked here.
+// False if the process that had the claim removed the list before it was locked here.
 bool FolderClaim::is_locked_list() {
     struct stat opened {};
     struct stat named {};
@@ -150,8 +150,8 @@ void FolderClaim::remove_earlier() {
     }
     std::string_view rest = list;
     rest.remove_prefix(std::min(heading.size(), rest.size()));
-    std::map<fs::path, std::set<std::string>> listed;  // names by their subfolder
-    // A name without its line end was not entered to its end, and its file not begun.
+    std::map<fs::path, std::set<std::string>> listed;  // file names by subfolder
+    // A name without its line end was not written completely, so its file was not begun.
     for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
         const fs::path name(rest.substr(0, end));
         rest.remove_prefix(end + 1);
@@ -168,7 +168,7 @@ void FolderClaim::remove_earlier() {
             remove_abandoned_parts(folder_ / subfolder, listed[subfolder]);
             remove_abandoned_drawings(folder_ / subfolder);
         }
-        ::rmdir((folder_ / subfolder).c_str());  // refused where something is in it
+        ::rmdir((folder_ / subfolder).c_str());  // fails if the folder holds anything
     }
     remove_abandoned_parts(folder_, listed[""]);
     if (::ftruncate(descriptor_, 0) != 0 || ::lseek(descriptor_, 0, SEEK_SET) != 0) {

@@ -1,8 +1,8 @@
 // A result folder holds one result, and one process at a time writes it.
 //
-// files.txt in the folder lists what has been written there. It is locked while a process writes, and the next result
-// removes what it names before its own first file is written: tables and frames of an earlier case do not stay beside
-// those of another. What it does not name is somebody else's and stays.
+// files.txt in the folder lists the files written there. It is locked while a process writes. The next result removes
+// the files in the list before it writes its first own file, so that tables and frames of an earlier case do not remain
+// beside those of another. Files that are not in the list belong to someone else and stay.
 #pragma once
 
 #include <filesystem>
@@ -15,16 +15,16 @@ namespace delabole {
 
 class FolderClaim {
   public:
-    // Creates the folder where it is missing. OutputError where that is impossible, where another process has claimed
-    // it, or where files.txt is something else. File systems that cannot lock let every process in.
+    // Creates the folder if it is missing. Throws OutputError if that is impossible, if another process has claimed it,
+    // or if files.txt is not such a list. On file systems without locks every process is admitted.
     explicit FolderClaim(std::filesystem::path folder);
-    // Gives the folder up; removes it again where it was created for a result that then was not written.
+    // Releases the folder, and removes it if it was created for a result that was then not written.
     ~FolderClaim();
     FolderClaim(const FolderClaim&) = delete;
     FolderClaim& operator=(const FolderClaim&) = delete;
 
-    // Lists files, named from the folder, before they are written. The first call removes the result that the list has
-    // from an earlier claim, result.json first. OutputError where that fails.
+    // Adds files, named relative to the folder, to the list before they are written. The first call removes the result
+    // of an earlier claim that is in the list, result.json first. Throws OutputError if that fails.
     void enter(const std::vector<std::string>& names);
 
   private:
@@ -36,7 +36,7 @@ class FolderClaim {
 
     std::filesystem::path folder_;
     std::filesystem::path list_;
-    std::vector<std::filesystem::path> created_ = {};  // folders, the innermost last
+    std::vector<std::filesystem::path> created_ = {};  // folders, the innermost last; removed if no result is written
     int descriptor_ = -1;
     bool new_list_ = false;
     bool begun_ = false;

@@ -19,7 +19,7 @@ namespace {
 struct StatedImpossibility {
     std::string model;
     std::string check;
-    std::string keys;  // with blanks between them
+    std::string keys;  // separated by blanks
     std::string words;
     static constexpr auto fields() {
         using S = StatedImpossibility;

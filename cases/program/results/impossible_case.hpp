@@ -1,4 +1,4 @@
-// A case that reads well and yet describes a slope that cannot be: which of its values is to blame, and for what.
+// Cases that can be read but describe an impossible slope: which value is the cause, and why.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
@@ -7,16 +7,16 @@
 
 namespace delabole {
 
-// The complaint about a failed check (the name of a PlaneFailureCheck), at the place of the value that broke it and
-// with the limit that it broke, where the model can tell. Values not in the case, such as those of a critical search,
-// are not blamed.
+// The complaint about a failed check (the name of a PlaneFailureCheck), with the place of the value that caused it and,
+// if the model knows it, the limit that it violates. Values that are not in the case, such as those of a critical
+// search, are not reported.
 Problem impossible(const CaseFile& file, std::string_view failure);
 
-// impossible_cases.csv when the program was built.
+// The text of impossible_cases.csv, embedded in the program.
 extern const std::string_view impossible_cases;
 
-// All that can be said against a case before it is run, which is what `delabole check` says: the model has the last
-// word, then [fit] and [sensitivity]. Throws CaseError where there is something.
+// All checks of a case before it is run, which `delabole check` makes: those of the model, then those of [fit] and
+// [sensitivity]. Throws CaseError if any of them fails.
 void refuse_impossible(const CaseFile& file);
 
 }  // namespace delabole

@@ -1,4 +1,4 @@
-// The evaluation store of a study as its command uses it.
+// The evaluation store of a command.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
@@ -13,26 +13,27 @@ namespace delabole {
 
 class KeptEvaluations {
   public:
-    // --store, or evaluations.sqlite in the result folder: opened once a model asks for it, so that studies of models
-    // that are not costly leave no file. Ranks on another machine than the leader's, which may not write the same file,
-    // have one of their own beside it, named after theirs. Every rank calls this.
+    // The store is --store, or evaluations.sqlite in the result folder. It is opened when the first costly model needs
+    // it, so that studies without one leave no file. Ranks on other machines than the leader's, which must not write to
+    // the same file, have a store of their own beside it, named after their machine. Every rank calls this.
     KeptEvaluations(const Options& options, const ResultFolder& folder);
 
-    // Makes the model look into the store where it is costly. `of`: what the model was made from.
+    // Makes a costly model use the store. `of` is the case's model from which it was made.
     void keep(ModelInterface& model, const CaseModel& of);
 
-    // To be called by every rank, once the study is done: its evaluations are counted together with theirs.
+    // Every rank has to call this after the study; it adds up the evaluations of all ranks.
     void count_all();
-    // For the provenance: the store, and how many evaluations were made and found. Nothing where there is none.
+    // Adds the store and the number of evaluations made and found to the provenance, if there is a store.
     void enter(Json& provenance) const;
-    // One line for the reader of the screen, with its end; empty where there is no store.
+    // One line for the terminal, with its line end; empty if there is no store.
     std::string summary() const;
-    // Says so on standard error after a study that did not come to its end.
+    // After a study that did not come to its end, tells on standard error that the same command continues from the
+    // store.
     void say_how_to_go_on() const;
 
   private:
     std::filesystem::path path_;
-    bool in_result_folder_;  // and so not named by the user
+    bool in_result_folder_;  // not given by --store
     std::unique_ptr<EvaluationStore> store_;
     const Ranks* ranks_;
     bool quiet_;

@@ -1,5 +1,5 @@
-// What the program needs of each model beyond its table of fields: its answer, names and figures for that, and words
-// for what is impossible. Each model has these functions in its own models/<model>/report.cpp.
+// Functions that the program needs for each model besides its table of fields: the answer, its outputs and figures, and
+// the sentences for impossible cases. Each model defines them in its own models/<model>/report.cpp.
 #pragma once
 
 #include "cases/program/results/analysis.hpp"
@@ -23,11 +23,11 @@ namespace delabole {
 
 struct WedgeFailureAnswer {
     WedgeFailureResult result{};
-    std::vector<Required> required{};  // in the order of the study
+    std::vector<Required> required{};  // in the order of the study's requests
 };
 
-// All that is computed of a case, once; its check says whether there is an answer. Only relaxation takes long: it alone
-// heeds `work`, reports how far it has come, and can be ended and gone on with.
+// Computes everything that the case asks for, once; the answer's check tells whether there is one. Only relaxation
+// takes long and uses `work`: it reports progress, can be stopped and can be continued.
 template <class Study>
 auto analyse_case(const Study& study, const AnalysisWork& /*work*/ = {}) {
     return analyse(study);
@@ -37,7 +37,7 @@ SteppedBaseAnswer analyse_case(const SteppedBaseStudy<>& study, const AnalysisWo
 WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const AnalysisWork& work = {});
 RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisWork& work = {});
 
-// Name of the check that an answer failed; empty where there is an answer.
+// Name of the check that failed; empty if there is an answer.
 template <class Answer>
 std::string failure_in(const Answer& answer) {
     if constexpr (requires { answer.result.check; }) {
@@ -50,7 +50,7 @@ std::string failure_in(const Answer& answer) {
 }
 std::string failure_in(const RelaxationStudyAnswer& answer);
 
-// The answer, whose check is valid, in names, numbers and warnings.
+// Names, numbers and warnings of an answer whose check is valid.
 template <class Study, class Answer>
 Analysis named_outputs(const Study& /*study*/, const Answer& answer) {
     Analysis analysis;
@@ -78,8 +78,8 @@ HeadCard head_card(const SteppedPath& path, const SteppedPathResult& result);
 HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer);
 HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& answer);
 
-// Figures and tables that only this model has, in the report of `delabole run`, the picture of the answer first; some
-// models have none. The answer's check is valid.
+// Figures and tables of this model alone for the report of `delabole run`; the figure that shows the answer comes
+// first. Some models have none. The answer's check is valid.
 template <class Study, class Answer>
 void append_case_figures(const Study& /*study*/, const Answer& /*answer*/, const ResultFolder& /*folder*/,
                          Report& /*report*/) {}
@@ -108,14 +108,14 @@ using AnswerTo = decltype(analyse_case(std::declval<const Study&>()));
 template <class... Studies>
 std::variant<AnswerTo<Studies>...> answers_to(const std::variant<Studies...>& model);
 
-// The answer of whatever model the case has, and the functions above for it.
+// The answer for any model that a case can have, and the functions above for it.
 using CaseAnswer = decltype(answers_to(std::declval<const CaseModel&>()));
 CaseAnswer analyse_case(const CaseModel& model, const AnalysisWork& work = {});
 Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer);
 HeadCard head_card(const CaseModel& model, const CaseAnswer& answer);
 void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report);
 
-// The same in the report of `delabole fit`, for a mechanism at its best point.
+// Figures of a mechanism at its best point, for the report of `delabole fit`.
 template <class Study>
 void append_mechanism_figures(const Study& /*at_best*/, const MechanismFit& /*fit*/, const FitProblem& /*problem*/,
                               const ResultFolder& /*folder*/, Report& /*report*/) {}
@@ -136,16 +136,16 @@ void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fi
 void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
 
-// Why there is no answer.
+// The reason why a case has no answer.
 struct Impossibility {
-    std::vector<std::string> keys = {};  // that may be to blame, most likely first: the first in the case is blamed
-    std::string words = {};              // what is wrong, in a sentence that says what to change
-    // The same with the limit that the value of the blamed key breaks; empty where no number says more.
+    std::vector<std::string> keys = {};  // possible causes, most likely first; the first in the case is reported
+    std::string words = {};              // a sentence about what is wrong and what to change
+    // The same with the limit that the value of the reported key violates; empty if no number adds to it.
     std::function<std::string(const std::string& key)> limit = {};
 };
 
-// Finds the words for a failed check of a model in impossible_cases.csv. Where it has none, they are "a number is
-// outside its allowed range".
+// Looks up the sentence for a failed check of a model in impossible_cases.csv; by default it is "a number is outside
+// its allowed range".
 Impossibility stated_impossibility(std::string_view model, std::string_view failure);
 
 template <class Study>

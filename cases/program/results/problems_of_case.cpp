@@ -65,7 +65,7 @@ void leave_mechanisms(CaseFit& fit, const std::vector<std::string>& names) {
 
 namespace {
 
-// The key itself, or the nearest section around it that the case has.
+// The key itself if the case has it, otherwise the nearest section around it that the case has.
 std::string written_key(const CaseFile& file, std::string key) {
     while (!file.places.contains(key) && key.find('.') != std::string::npos) {
         key.erase(key.rfind('.'));

@@ -1,4 +1,4 @@
-// From a case's [fit] section to a back-analysis of its models, from [sensitivity] to a study of its model.
+// Turns a case's [fit] section into a back-analysis of its models, and [sensitivity] into a study of its model.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
@@ -12,16 +12,16 @@
 
 namespace delabole {
 
-// The case needs a [fit] section. Throws CaseError with every name that does not fit the mechanisms' models.
+// The case needs a [fit] section. Throws CaseError with every name that the mechanisms' models do not have.
 FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed);
 
-// Takes out the mechanisms whose model is costly, unless there are no others. Returns their names.
+// Removes the mechanisms whose model is costly, unless there are no others. Returns their names.
 std::vector<std::string> leave_out_costly(CaseFit& fit);
 
-// Leaves the mechanisms of these names, in the order of the case. UsageError for a name that is no mechanism's.
+// Keeps only the mechanisms of these names, in the order of the case. Throws UsageError for an unknown name.
 void leave_mechanisms(CaseFit& fit, const std::vector<std::string>& names);
 
-// The case needs a [sensitivity] section. Throws CaseError with everything that check_study() finds, at its place.
+// The case needs a [sensitivity] section. Throws CaseError with every fault that check_study() finds, at its place.
 SensitivityProblem sensitivity_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed);
 
 }  // namespace delabole

@@ -19,7 +19,7 @@ namespace delabole {
 
 namespace {
 
-// A number in full precision; what is none, as the words that JSON has for it.
+// A number in full precision; infinite values and NaN as words, as in JSON.
 std::string shortest(double value) {
     if (!std::isfinite(value)) {
         return std::isnan(value) ? "undefined" : value > 0 ? "infinite" : "-infinite";
@@ -261,7 +261,7 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
     if (on_interrupt_ == OnInterrupt::stop) {
         stop_if_interrupted();
     }
-    constexpr double still_drawn = 0.7;  // s; with the rest of the report, Ctrl-C ends a command within 2 s
+    constexpr double still_drawn = 0.7;  // s; with the rest of the report, a command then ends within 2 s of Ctrl-C
     if (seconds_since_interrupt() > still_drawn) {
         gnuplot_runs_.none_because = "the work was interrupted";
     }

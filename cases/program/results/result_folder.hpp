@@ -1,5 +1,4 @@
-// The folder that a command leaves behind: result.json, resolved.toml, tables as CSV, figures and report.html in one
-// folder.
+// The output folder of a command: result.json, resolved.toml, tables as CSV, figures and report.html.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
@@ -25,29 +24,30 @@ namespace delabole {
 
 using Json = nlohmann::ordered_json;
 
-// "fig_2_8" of "cases/plane_failure/fig_2_8.toml".
+// The stem of the file's name: "fig_2_8" for "cases/plane_failure/fig_2_8.toml".
 std::string stem_of(const CaseFile& file);
 
 std::vector<Setting> settings_of(const Options& options);
 
-// Shows sentences, tables and figures in the units of the case's [report], until the next case.
+// Selects the units of the case's [report] for sentences, tables and figures until the next case.
 void show_units_of(const CaseFile& file);
 
-// The case's title, or its name, with what --set has changed.
+// The title of the case, or its name, followed by the settings of --set.
 std::string title_of(const CaseFile& file, const Options& options);
 
-// A number in its display unit under a name that carries the unit: "crack_depth_m", "plane_dip_deg".
+// A name that carries the display unit of its number: "crack_depth_m", "plane_dip_deg".
 std::string column_name(std::string_view name, Dimension dimension);
-// Rounding of lengths, areas, angles and forces (1e-11 in SI) is 0.
+// The value in its display unit. Lengths, areas, angles and forces below 1e-11 in SI are rounding and become 0.
 double in_display_unit(double value, Dimension dimension);
-// With its unit, in so many digits.
+// A value with its unit, with that many significant digits.
 std::string in_digits(double value, Dimension dimension, int digits);
-// Six digits for a reader, who compares with printed values; CSV and JSON have all of them.
+// Six significant digits, for readers who compare with printed values; CSV and JSON have all digits.
 std::string in_six_digits(double value, Dimension dimension);
 
-// {"factor_of_safety": 1.247, "crack_depth_m": 4.348, "outcome": "stable"}. Infinite values become the word "infinite".
+// {"factor_of_safety": 1.247, "crack_depth_m": 4.348, "outcome": "stable"}. An infinite value becomes the word
+// "infinite".
 Json json_of(const std::vector<NamedOutput>& outputs);
-// result.json of `delabole run`, but for its provenance.
+// result.json of `delabole run` without its provenance.
 Json json_of(const CaseFile& file, const Analysis& analysis);
 Json json_number(double value);
 // A number in its display unit.
@@ -56,15 +56,15 @@ Json json_of(double value, Dimension dimension);
 Json json_of_matrix(const Eigen::MatrixXd& matrix);
 // [lower, upper], in display units.
 Json json_of(const Interval& interval, Dimension dimension);
-// Indented, with a line end. Bytes that are not UTF-8, as a file name may contain, are replaced.
+// Indented, with a line end. Bytes that are not UTF-8, which a file name may contain, are replaced.
 std::string json_text(const Json& json);
 
-// A CSV file has a number or a text in each place.
+// A cell of a CSV file: a number or a text.
 using Cell = std::variant<double, std::string>;
 
-// Comma-separated, with a header; texts are quoted where they need it, numbers in full precision. A text that a
-// spreadsheet would take for a formula, because it begins with =, +, -, @, a tab or a line break and is no number,
-// begins with an apostrophe instead: a case from somebody else must not compute anything in its reader's spreadsheet.
+// Comma-separated values with a header; texts are quoted if needed, numbers are in full precision. A text that a
+// spreadsheet would take for a formula, because it begins with =, +, -, @, a tab or a line break and is not a number,
+// gets an apostrophe in front: a case from another person must not run formulas in the reader's spreadsheet.
 class CsvTable {
   public:
     explicit CsvTable(std::vector<std::string> columns);
@@ -75,7 +75,7 @@ class CsvTable {
     std::string text_;
 };
 
-// Titles of the numbers of a described struct, and the numbers below them.
+// Appends the titles of the numbers of a described struct; append_cells appends the numbers.
 template <Described Row>
 void append_titles(std::vector<std::string>& titles) {
     const Row names{};
@@ -89,52 +89,53 @@ void append_cells(std::vector<Cell>& cells, const Row& row) {
         row, [&](double value, const FieldInfo& info) { cells.emplace_back(in_display_unit(value, info.dimension)); });
 }
 
-// Version, revision, case, hash, settings, wall time: what a result was made from.
+// Version, revision, case, hash, settings and wall time, which tell how a result was made.
 Json provenance(const CaseFile& file, const std::string& command, const Options& options, double wall_seconds);
 Provenance provenance_block(const Json& provenance);
 
-// Whether figures are still drawn once the flag of cases/program/terminal/interrupt.hpp is set: a back-analysis shows
-// what it has, the rest is soon repeated and ends by Interrupted.
+// Whether figures are still drawn after an interrupt: a back-analysis shows what it has finished; other commands are
+// quickly repeated and end with Interrupted.
 enum class OnInterrupt { finish, stop };
 
-// --out, or results/<name>, where <name> is of the case and of the command, so that `run` and `fit` of one case leave
-// each other alone. UsageError for names that are folders of their own there, as "..": the case file "...toml".
+// --out, or results/<name>, where <name> is made from the case and the command, so that `run` and `fit` of one case do
+// not overwrite each other. Throws UsageError for names that would mean another folder, such as ".." for the case file
+// "...toml".
 std::filesystem::path result_path(const Options& options, const std::string& name);
 
-// Takes figures instead of a folder.
+// Receives figures in place of a folder.
 using FigureTaker = std::function<void(const Figure& figure, const std::string& caption)>;
 
-// One result of one process: see FolderClaim.
+// One result of one process; see FolderClaim.
 class ResultFolder {
   public:
-    // Keeps nothing and draws nothing: for those who want the numbers of a report alone.
+    // Neither writes nor draws anything; used when only the numbers of a report are needed.
     ResultFolder() : threads_(1), with_report_(false), on_interrupt_(OnInterrupt::finish) {}
-    // The same, but figures go to the taker.
+    // The same, but the taker receives the figures.
     explicit ResultFolder(FigureTaker taker) : ResultFolder() { taker_ = std::move(taker); }
-    // Creates the folder and claims it; of several ranks only the leader does. OutputError where that is impossible, or
-    // where a symbolic link stands for something that is to be written; what --out names itself may be one.
-    // result.json is to be written last and so says that all the rest is there.
+    // Creates the folder and claims it; of several ranks only the leader does so. Throws OutputError if that is
+    // impossible, or if a symbolic link stands in place of a file to be written; the folder named by --out may itself
+    // be a link. result.json is written last, so that its presence shows that all other files are there.
     ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt);
 
     void when_interrupted(OnInterrupt on_interrupt) { on_interrupt_ = on_interrupt; }
 
     const std::filesystem::path& path() const { return path_; }
-    // The number that the command was given, for long work.
+    // The number of threads given to the command, for long work.
     int threads() const { return threads_; }
-    // How much of the work whose results these are is done, 0 to 1, and what is being done. Told to the command where
-    // it listens; from one thread at a time.
+    // Reports the share of the work done, 0 to 1, and what is being done to the command, if it listens; called by one
+    // thread at a time.
     void report_progress(double share, const std::string& what) const;
     void on_progress(std::function<void(double, const std::string&)> listener) { on_progress_ = std::move(listener); }
-    // OutputError also where the name was written before: names of sweeps and mechanisms become those of files, and
-    // what has them already is not lost.
+    // Throws OutputError also if a file of that name was already written for this result: names of sweeps and
+    // mechanisms become file names, and no file may be lost.
     void write(const std::string& name, std::string_view text) const;
-    // A figure that cannot be drawn is reported inside the report and by a warning on standard error, --quiet or not: a
-    // report without its figures is not what was asked for. After an interrupt gnuplot runs for a moment only, and the
-    // report alone says so.
+    // If a figure cannot be drawn, the report says so, and a warning appears on standard error even with --quiet,
+    // because the report is then incomplete. After an interrupt figures are drawn only for a moment, and only the
+    // report tells which are missing.
     FigureInReport draw(const Figure& figure, const std::string& name, const std::string& caption) const;
     void write_report(const Report& report) const;
-    // Enters files, named from the folder, that something else is about to write here: the next result removes them
-    // too.
+    // Lists files, named relative to the folder, that other code is about to write here, so that the next result
+    // removes them.
     void enter(const std::vector<std::string>& names) const;
 
   private:
@@ -149,7 +150,7 @@ class ResultFolder {
     mutable std::set<std::string> written_ = {};
 };
 
-// Columns aligned for a terminal, the first to the left, the others to the right.
+// Columns for a terminal, the first aligned to the left, the others to the right.
 std::string text_table(const std::vector<std::vector<std::string>>& rows);
 
 class Stopwatch {

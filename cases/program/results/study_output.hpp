@@ -13,15 +13,16 @@ namespace delabole {
 
 struct StudyOutput {
     const CaseFile& file;
-    Json json;  // with its provenance
+    Json json;  // with the provenance
     std::string screen;
-    std::string reserved;  // what keeps the result from being the answer; empty where nothing does
+    std::string reserved;  // the reason why the result is not a reliable answer; empty if it is
 };
 
-// Puts a notice on top of the report where something keeps the result from being the answer.
+// Puts a notice at the top of the report if there is such a reason.
 void add_reservation(const std::string& reserved, bool interrupted, Report& report);
 
-// Ends the report with the provenance, writes the files, prints; not_converged where something is reserved.
+// Ends the report with the provenance, writes the files and prints the summary; not_converged if there is such a
+// reason.
 ExitCode write_study(const StudyOutput& output, const ResultFolder& folder, const Options& options, Report& report);
 
 }  // namespace delabole

@@ -23,7 +23,7 @@ std::string choice_in_words(const SupportDesign& design, const TriedSupport& tri
     return words;
 }
 
-// The cost is in the currency of the case, for the shown unit of length.
+// The cost per shown unit of length, in the currency of the case.
 double shown_cost(double per_metre) {
     return per_metre * shown_unit(Dimension::length).si_per_unit;
 }
@@ -32,13 +32,13 @@ std::string per_length_of_slope() {
     return shown_unit(Dimension::length).symbol == "m" ? " per metre of slope" : " per foot of slope";
 }
 
-// Null where no pattern has an answer.
+// Null if no pattern has an answer.
 const TriedSupport* answer_of(const SupportDesignResult& found) {
     const std::optional<std::size_t> answer = found.cheapest ? found.cheapest : found.strongest;
     return answer ? &found.tried[*answer] : nullptr;
 }
 
-// "bolt head above crest 12, plane never surfaces 3"
+// Counts of the causes: "bolt head above crest 12, plane never surfaces 3".
 std::string causes_in_words(const SupportDesignResult& found) {
     std::vector<std::string> causes;
     for (const auto& [cause, count] : found.failed_by_cause) {

@@ -1,4 +1,4 @@
-// [support_design] of a case: the cheapest support found and put into its model, and how that is told.
+// [support_design] of a case: finds the cheapest support, puts it into the model, and reports it.
 #pragma once
 
 #include "cases/program/results/result_folder.hpp"
@@ -13,17 +13,17 @@ namespace delabole {
 struct DesignedSupport {
     SupportDesign design;
     SupportDesignResult found;
-    std::string sentence;  // what the cheapest support is, or why there is none
+    std::string sentence;  // describes the cheapest support, or why there is none
 };
 
-// Puts the cheapest support into the case's model, or the strongest where none reaches the factor of safety. Where no
-// pattern has an answer, the model keeps its own. Returns nothing where the case asks for no support.
+// Puts into the case's model the cheapest support, or the strongest if none reaches the factor of safety. If no pattern
+// has an answer the model keeps its own support. Returns nothing if the case has no [support_design].
 std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::function<bool(double)>& watch);
 
-// Puts the sentence behind the first, the verdict.
+// Adds the sentence after the verdict, which is the first.
 void add_to_head(const DesignedSupport& support, HeadCard& head);
 
-// The figure, support.csv, the result for result.json.
+// Adds the figure and support.csv, and returns the result for result.json.
 Json document_support(const DesignedSupport& support, const ResultFolder& folder, Report& report);
 
 }  // namespace delabole

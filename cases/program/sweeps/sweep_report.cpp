@@ -18,7 +18,7 @@ namespace {
 constexpr std::array sweep_colours{Colour::blue,   Colour::vermilion, Colour::green, Colour::purple,
                                    Colour::orange, Colour::sky,       Colour::black};
 constexpr std::size_t most_rows = 20;   // of a table in the report
-constexpr std::size_t most_curves = 8;  // of a second input; more make a map
+constexpr std::size_t most_curves = 8;  // for a second input with more values, a map is drawn
 constexpr int digits_of_table = 5;
 
 Axis axis_of(const SweptInput& input) {
@@ -30,9 +30,9 @@ Axis axis_of(const SweptInput& input) {
     return axis;
 }
 
-using Places = std::vector<std::size_t>;  // of curves in their sweep
+using Places = std::vector<std::size_t>;  // indices of curves in their sweep
 
-// The axis of curves of one dimension.
+// The vertical axis for curves of one dimension.
 Axis axis_of_outputs(const SweepRun& run, const SweptFigure& data, const Places& curves) {
     const std::string& first = run.sweep.curves[curves.front()].output;
     Axis axis = axis_of(first, data.curves[curves.front()].dimension);
@@ -45,7 +45,7 @@ Axis axis_of_outputs(const SweepRun& run, const SweptFigure& data, const Places&
     return axis;
 }
 
-// Curves that share a figure: those of one dimension. Words alone are left to the tables.
+// Groups of curves of equal dimension, each drawn in one figure. Curves without any number appear only in the tables.
 std::vector<Places> curves_by_dimension(const SweptFigure& data) {
     std::vector<Places> groups;
     for (std::size_t curve = 0; curve < data.curves.size(); ++curve) {
@@ -68,7 +68,7 @@ Dash dash_of(CurveDash dash) {
     return dash == CurveDash::solid ? Dash::solid : dash == CurveDash::dashed ? Dash::dashed : Dash::dotted;
 }
 
-// Colours in their order, a new one for each solid curve; dotted ones are references, in grey.
+// Assigns the colours in order, a new one to each solid curve; dotted curves are references, in grey.
 class CurveColours {
   public:
     Colour of(CurveDash dash) {
@@ -121,7 +121,7 @@ std::string title_of(const CaseSweep& sweep, const std::optional<double>& each) 
     return each ? title + ", " + each_in_words(*sweep.each, *each) : title;
 }
 
-// Curves over the first input, one for each value of a second.
+// Curves over the first input, one for each value of the second if there is one.
 Figure curves_figure(const SweepRun& run, const SweptFigure& data, const Places& curves) {
     const CaseSweep& sweep = run.sweep;
     const SweptInput& first = sweep.vary.front();
@@ -130,7 +130,7 @@ Figure curves_figure(const SweepRun& run, const SweptFigure& data, const Places&
     for (const std::size_t index : curves) {
         const SweptCurve& curve = data.curves[index];
         const CurveDash dash = sweep.curves[index].dash;
-        // The axis names a single output.
+        // A single curve named after its output needs no label, because the axis has that name.
         const std::string label = curves.size() == 1 && curve.label == sweep.curves[index].output ? "" : curve.label;
         if (sweep.vary.size() == 1) {
             figure.series.emplace_back(line_of(first, curve, 0, label, colours.of(dash), dash));

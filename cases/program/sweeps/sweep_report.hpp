@@ -1,4 +1,4 @@
-// [[sweep]] as figures, tables and files: for `run`, `grid` and the reproductions of the thesis.
+// Reports [[sweep]] as figures, tables and files: for `run`, `grid` and the reproductions of the thesis.
 #pragma once
 
 #include "cases/program/results/result_folder.hpp"
@@ -6,18 +6,18 @@
 
 namespace delabole {
 
-// Draws into the folder, writes <name>.csv, appends to the report: a table where there are few values, one figure for
-// each value of `each`, one of the crossings over these.
+// Draws into the folder, writes <name>.csv and appends to the report: a table if there are few values, one figure for
+// each value of `each`, and one of the crossings over these values.
 void document_sweep(const SweepRun& run, const ResultFolder& folder, Report& report);
 
-// Everything that the sweeps of a case give: documents and the comparisons with what is printed.
+// Documents all sweeps of a case and returns the comparisons with printed values.
 std::vector<Comparison> document_sweeps(const CaseFile& file, const SweepWork& work, const ResultFolder& folder,
                                         Report& report);
 
-// The points of a run, an object each: inputs and outputs with their units, as in its CSV file.
+// The points of a run, one object each: inputs and outputs with their units, as in its CSV file.
 Json json_of(const SweepRun& run);
 
-// The points as a table for a terminal; empty where there are too many to be read.
+// The points as a table for a terminal; empty if there are too many to be read.
 std::string screen_of(const SweepRun& run);
 
 Table comparison_table(const std::vector<Comparison>& comparisons);

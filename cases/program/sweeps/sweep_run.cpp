@@ -29,7 +29,7 @@ void set_input(std::vector<Condition>& conditions, const SweptInput& swept, doub
     }
 }
 
-// Curves that differ in their output alone share an analysis.
+// Curves that differ only in their output share an analysis.
 std::vector<std::vector<std::size_t>> curves_by_conditions(const std::vector<SweepCurve>& curves) {
     const auto alike = [](const Condition& one, const Condition& other) {
         return one.input == other.input && one.value == other.value;
@@ -50,8 +50,8 @@ std::vector<std::vector<std::size_t>> curves_by_conditions(const std::vector<Swe
 
 struct Answer {
     double value = no_number;
-    std::string word = {};  // where there is no number
-    bool known = false;     // the output is among those of the model
+    std::string word = {};  // if there is no number
+    bool known = false;     // whether the model has the output
     Dimension dimension = Dimension::ratio;
 };
 
@@ -70,7 +70,7 @@ Answer answer_of(const Analysis& analysis, const std::string& output) {
     return answer;
 }
 
-// Asks the case at the points of a sweep and puts its answers in their places.
+// Evaluates the case at the points of a sweep and stores the results.
 class SweepComputation {
   public:
     SweepComputation(const CaseFile& file, const CaseSweep& sweep) : file_(file), sweep_(sweep) {
@@ -132,7 +132,7 @@ class SweepComputation {
 
     std::vector<SweptFigure> figures() {
         for (std::size_t curve = 0; curve < sweep_.curves.size(); ++curve) {
-            bool known = names_.empty();  // nothing has an answer: the words say why
+            bool known = names_.empty();  // without any answer the words of failure are the reason
             for (std::size_t figure = 0; figure < figures_.size(); ++figure) {
                 known = known || known_[figure * sweep_.curves.size() + curve];
             }
@@ -196,18 +196,18 @@ class SweepComputation {
     std::vector<std::vector<std::size_t>> groups_;
     std::vector<SweptFigure> figures_;
     std::mutex noting_;
-    std::vector<bool> known_;         // by figure and curve: the model has its output somewhere
+    std::vector<bool> known_;         // by figure and curve: whether the model has its output at some point
     std::vector<std::string> names_;  // of outputs, for a suggestion
 };
 
-// A curve as statements see it: over one input, with the word before its labels.
+// Curves over one input to which statements refer, with a prefix for their labels.
 struct StatedCurves {
     std::string prefix;
     const SweptInput* input;
     std::vector<SweptCurve> curves;
 };
 
-// Every figure has its curves; crossings over `each` are one set of curves.
+// The curves of each figure, and the crossings over `each` as one more set of curves.
 std::vector<StatedCurves> stated_curves(const SweepRun& run) {
     std::vector<StatedCurves> all;
     const CaseSweep& sweep = run.sweep;
@@ -233,7 +233,7 @@ Comparison compare_crossing(const CurveCrossing& crossing, const std::optional<d
     return row;
 }
 
-// How far a relation holds, in words; a verdict of missed where it does not everywhere.
+// How far a relation holds, in words; the verdict is missed if it does not hold everywhere.
 Comparison compare_relation(const CurveStatement& statement, const SweptCurve& curve, const SweptCurve* other,
                             const SweptInput& input) {
     Comparison row;

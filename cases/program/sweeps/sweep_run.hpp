@@ -1,4 +1,4 @@
-// [[sweep]] computed: outputs of a case over its inputs, where curves cross, and whether printed statements on them
+// Computes [[sweep]]: outputs of a case over its inputs, where curves cross, and whether printed statements on them
 // hold.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace delabole {
 
-// Values of one curve, first input fastest. Where there is no number, NaN and the word that stands for it: the output's
-// own, as "none", or the check that failed.
+// Values of one curve, with the first input varying fastest. A value without a number is NaN, with a word in its place:
+// that of the output, such as "none", or the name of the check that failed.
 struct SweptCurve {
     std::string label;
     Dimension dimension = Dimension::ratio;
@@ -21,11 +21,11 @@ struct SweptCurve {
     std::vector<std::string> words;
 };
 
-// One value of `each`; the only one where there is none.
+// The figure for one value of `each`; without `each` there is a single one.
 struct SweptFigure {
     std::optional<double> each;
     std::vector<SweptCurve> curves;
-    std::vector<std::optional<double>> crossings;  // SI, in the order of the sweep's
+    std::vector<std::optional<double>> crossings;  // SI, in the order of the sweep's crossings
 };
 
 struct SweepRun {
@@ -35,23 +35,24 @@ struct SweepRun {
 
 struct SweepWork {
     int threads = 1;
-    std::function<void(double share)> progress = {};  // from one thread at a time
+    std::function<void(double share)> progress = {};  // called by one thread at a time
 };
 
-// Crossings are found between the points by bisection (GSL) to full double precision; the first one counts. Interrupted
-// once the flag of cases/program/terminal/interrupt.hpp is set; CaseError for an output that the model never has.
+// Crossings between the points are found by bisection (GSL) to full double precision; the first one counts. Throws
+// Interrupted once the flag of cases/program/terminal/interrupt.hpp is set, and CaseError for an output that the model
+// never has.
 SweepRun run_sweep(const CaseFile& file, const CaseSweep& sweep, const SweepWork& work);
 
 // "a / b = 3"
 std::string each_in_words(const SweptInput& each, double value);
 
-// The crossings of a sweep with `each`, as curves over the values of that.
+// The crossings of a sweep with `each`, as curves over its values.
 std::vector<SweptCurve> crossing_curves(const SweepRun& run);
 
-// Printed crossings and statements beside the computed ones.
+// Compares printed crossings and statements with computed ones.
 std::vector<Comparison> compare_sweep(const SweepRun& run);
 
-// All that is printed of the sweeps of a case; those of which nothing is are not run.
+// The comparisons of all sweeps of a case; sweeps without printed values are not run.
 std::vector<Comparison> compare_sweeps(const CaseFile& file, const SweepWork& work);
 
 }  // namespace delabole

@@ -14,14 +14,14 @@ namespace delabole {
 namespace {
 
 std::atomic<bool> interrupted{false};
-std::atomic<std::int64_t> first_interrupt{0};  // ns; 0: none yet
+std::atomic<std::int64_t> first_interrupt{0};  // ns; 0: no interrupt yet
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free,
               "a signal handler may only touch lock-free atomics");
 
 constexpr std::int64_t second = 1'000'000'000;  // ns
 
-// Seconds of the processor and not of the clock: on a busy machine work comes less often to where it looks at the flag,
-// and while a picture is drawn or a disk waited for there is nothing to be ended.
+// Processor time, because on a busy machine work checks the flag less often in real time, and while a picture is drawn
+// or the disk is waited for there is nothing to be ended.
 constexpr std::int64_t patience = 1'800'000'000;  // ns
 timer_t deadline;
 std::atomic<bool> has_deadline{false};
@@ -46,7 +46,7 @@ std::int64_t time_now() {
 }
 
 extern "C" void note_interrupt(int signal) {
-    // `timeout` sends a signal twice, to its child and to the group that the child is in.
+    // `timeout` sends a signal twice: to its child and to the process group of the child.
     constexpr std::int64_t together = 200'000'000;  // ns
     const std::int64_t time = time_now();
     std::int64_t first = 0;
@@ -75,7 +75,7 @@ void catch_interrupts() {
     }
     std::signal(SIGINT, note_interrupt);
     std::signal(SIGTERM, note_interrupt);
-    // A terminal that closes ends the work like Ctrl-C, unless nohup has asked to go on without it.
+    // A terminal that closes ends the work like Ctrl-C, unless nohup asked for it to continue.
     if (std::signal(SIGHUP, note_interrupt) == SIG_IGN) {
         std::signal(SIGHUP, SIG_IGN);
     }
@@ -83,7 +83,7 @@ void catch_interrupts() {
 
 void end_work() {
     constexpr std::string_view message = "\ndelabole: interrupted: the work was ended where it was\n";
-    const std::string_view text = message.substr(on_terminal ? 0 : 1);  // there a bar may stand in the line
+    const std::string_view text = message.substr(on_terminal ? 0 : 1);  // a terminal's line may hold a bar
     [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
     _exit(static_cast<int>(ExitCode::not_converged));
 }

@@ -1,4 +1,4 @@
-// Ctrl-C as a flag that long work looks at, so that it can end with what it has.
+// Ctrl-C sets a flag that long work checks, so that the work can end with what it has finished.
 #pragma once
 
 #include <atomic>
@@ -6,24 +6,24 @@
 
 namespace delabole {
 
-// The first interrupt, request to terminate or loss of the terminal (SIGHUP) sets the flag; a second one, if it does
-// not come with the first, ends the program at once. So does the first, with a message and exit code 4, where nobody
-// has answered it after another 1.8 s of processor time, all threads together: work that has nothing to finish need not
-// look at the flag.
+// The first interrupt, request to terminate or loss of the terminal (SIGHUP) sets the flag; a second one, unless it
+// comes with the first, ends the program at once. If nobody has answered the first within another 1.8 s of processor
+// time, all threads together, the program ends with a message and exit code 4, so that work with nothing to finish need
+// not check the flag.
 void catch_interrupts();
 
-// Who asks for the flag once it is set answers: what follows ends in order, however long that takes. Work that was
-// handed the reference before has to return; its caller answers.
+// Asking for the flag after it was set answers the interrupt: the program then ends in order, however long that takes.
+// If work was given the reference earlier, its caller answers once the work has returned.
 const std::atomic<bool>& interrupt_flag();
 void answer_interrupt();
 
-// Ends the program as that does.
+// Ends the program as an unanswered interrupt does.
 [[noreturn]] void end_work();
 
-// Seconds by the clock since the first interrupt; 0 before it.
+// Seconds of real time since the first interrupt; 0 before it.
 double seconds_since_interrupt();
 
-// Ends work that has no use for what it has so far.
+// Ends work whose unfinished results are of no use.
 class Interrupted : public std::exception {
   public:
     const char* what() const noexcept override { return "interrupted"; }

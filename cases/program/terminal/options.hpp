@@ -1,4 +1,4 @@
-// The options of a command, apart from how they are spelt, and how a command ends.
+// The options of a command, independent of their spelling, and the exit codes of a command.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,10 @@ enum class ExitCode {
     invalid_case = 3,   // also: a physical impossibility in a case that asks for an answer
     not_converged = 4,  // also: interrupted
     output_failure = 5,
-    internal_error = 70,  // a fault of the program or the machine, not of the user
+    internal_error = 70,  // a fault of the program or the machine, and not of the user
 };
 
-// The command line asks for something that does not exist or does not go together.
+// The command line asks for something that does not exist, or for things that exclude each other.
 class UsageError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -33,22 +33,22 @@ struct Options {
     std::vector<std::string> settings;  // key=value
     bool json = false;
     bool quiet = false;
-    bool no_report = false;  // neither report nor figures
-    bool full = false;       // init: every key
+    bool no_report = false;  // neither a report nor figures
+    bool full = false;       // init: writes every key
     int threads = 1;
-    const Ranks* ranks = nullptr;  // processes that work together; null: this one alone
+    const Ranks* ranks = nullptr;  // processes that work together; null: this process alone
     double seconds_between_checkpoints = 60;
     std::optional<std::uint64_t> seed;
     int repetitions = 100;                // of a recovery
-    bool at_best = false;                 // recover the best fit instead of draws of the prior
-    std::vector<std::string> mechanisms;  // the only ones to be fitted; empty: all that are not costly
-    bool with_costly = false;             // and those
+    bool at_best = false;                 // recover: uses the best fit instead of draws from the prior
+    std::vector<std::string> mechanisms;  // only these are fitted; empty: all that are not costly
+    bool with_costly = false;             // the costly ones as well
     std::vector<std::string> vary;        // grid: input=from:to:points
-    std::vector<std::string> outputs;     // grid: what is asked at each point
+    std::vector<std::string> outputs;     // grid: outputs asked for at each point
     std::filesystem::path store;          // of evaluations; empty: evaluations.sqlite in the result folder
 };
 
-// Whether this process prints and writes: of several ranks only one does.
+// Whether this process prints and writes; of several ranks only the leading one does.
 bool leads(const Options& options);
 
 using Paths = std::vector<std::filesystem::path>;

@@ -10,14 +10,14 @@ namespace {
 struct Letter {
     std::size_t bytes = 1;
     std::uint32_t code = 0xFFFD;
-    bool whole = true;  // false: the text ends before the letter does
+    bool whole = true;  // false: the text ends within the letter
 };
 
 constexpr bool continues(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
-// The first one of a text that is not empty. Of what is no UTF-8, one byte.
+// The first letter of a text that is not empty; a single byte if the text is not UTF-8 there.
 Letter first_letter(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text.front());
     if (lead < 0x80U) {
@@ -49,7 +49,7 @@ bool is_control(std::uint32_t code) {
     return moves || turns;
 }
 
-// Removes from the text what it appends to the result; leaves a letter that is not whole.
+// Moves letters from the text to the result; an incomplete letter at the end stays in the text.
 std::string take_plain(std::string_view& text) {
     std::string result;
     result.reserve(text.size());

@@ -1,5 +1,5 @@
-// What the program prints holds titles, names and file names that somebody else may have written. A terminal obeys
-// control characters in them: it moves its cursor, changes its title, hides or repeats what was typed.
+// The output of the program holds titles, names and file names that somebody else may have written. A terminal would
+// obey control characters in them: they can move its cursor, change its title, and hide or repeat what was typed.
 #pragma once
 
 #include <ostream>
@@ -9,12 +9,12 @@
 
 namespace delabole {
 
-// UTF-8 in which every control character but the line end and the tab stands as its number, "\u001b", and so do those
-// that turn the direction of writing. JSON and TOML read that as the same character. Bytes that are no UTF-8 become
-// U+FFFD.
+// UTF-8 in which every control character except line end and tab, and every character that changes the direction of
+// writing, is replaced by its number, such as "\u001b", which JSON and TOML read as the same character. Bytes that are
+// not UTF-8 become U+FFFD.
 std::string plain_text(std::string_view text);
 
-// Makes all that a stream prints plain_text, as long as it lives.
+// Changes everything printed to a stream to plain_text while this object exists.
 class PlainOutput : private std::streambuf {
   public:
     explicit PlainOutput(std::ostream& stream);
@@ -29,7 +29,7 @@ class PlainOutput : private std::streambuf {
 
     std::ostream& stream_;
     std::streambuf* target_;
-    std::string unfinished_ = {};  // the beginning of a character whose other bytes have not come yet
+    std::string unfinished_ = {};  // the beginning of a character whose other bytes have not yet arrived
 };
 
 }  // namespace delabole

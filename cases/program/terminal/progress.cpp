@@ -18,7 +18,7 @@ constexpr auto terminal_interval = 100ms;
 constexpr auto line_interval = 5s;
 constexpr int bar_width = 30;
 
-// "12 s", "3 min", "5 h": an estimate deserves no more.
+// "12 s", "3 min", "5 h": an estimate is not more accurate than that.
 std::string duration_in_words(double seconds) {
     constexpr double minute = 60;
     constexpr double hour = 3600;
@@ -53,7 +53,7 @@ std::string TimeLeft::in_words(double elapsed, double share) {
 
 void Progress::report(double share, const std::string& what, bool may_end_sooner) {
     const Clock::time_point now = Clock::now();
-    const bool next_part = terminal_ && what != what_;  // it may be long before it reports again
+    const bool next_part = terminal_ && what != what_;  // shown at once: it may be long before it reports
     const Clock::duration interval = terminal_ ? Clock::duration(terminal_interval) : Clock::duration(line_interval);
     if (quiet_ || (now - last_ < interval && !next_part)) {
         return;

@@ -1,5 +1,4 @@
-// How far long work has come: a bar with the time left on a terminal, a line now and then elsewhere, nothing when
-// quiet.
+// The progress of long work: a bar with the time left on a terminal, occasional lines elsewhere, nothing if quiet.
 #pragma once
 
 #include <chrono>
@@ -7,11 +6,11 @@
 
 namespace delabole {
 
-// Tells the time left from the pace of all the work and from that of late.
+// Estimates the time left from the pace of the whole work and from that of its latest part.
 class TimeLeft {
   public:
-    // "12 s left" of work of which a share, more than 0, is done after so many seconds, or, where the two paces differ
-    // by more than a factor of two, "time left not known". To be called as the work goes on.
+    // "12 s left", given the share of the work done, more than 0, and the time it took; "time left not known" if the
+    // two paces differ by more than a factor of two. To be called repeatedly during the work.
     std::string in_words(double elapsed, double share);
 
   private:
@@ -20,7 +19,7 @@ class TimeLeft {
         double share = 0;
     };
 
-    // The one stands at a quarter to a half of the time elapsed, the other at half of it or more.
+    // The older mark is at a quarter to a half of the time elapsed, the newer one at half of it or later.
     Mark older_ = {};
     Mark newer_ = {};
 };
@@ -32,8 +31,8 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    // Share of the work done, 0 to 1, and what is being done. Cheap: most calls print nothing. `may_end_sooner`: at a
-    // verdict that nobody can foresee; no time left is told then.
+    // Reports the share of the work done, 0 to 1, and what is being done. It is cheap, since most calls print nothing.
+    // If `may_end_sooner`, a verdict that cannot be foreseen may end the work, and no time left is given.
     void report(double share, const std::string& what, bool may_end_sooner = false);
 
   private:
@@ -44,7 +43,7 @@ class Progress {
     bool drawn_ = false;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
-    std::string what_ = {};  // last drawn
+    std::string what_ = {};  // what was being done when the bar was last drawn
     TimeLeft time_left_ = {};
 };
 

@@ -24,7 +24,8 @@ fixed = simulation.fixed
 moments = []
 for time in (1, 2, 4, 6):
     simulation.run(until=time)
-    # A contact's force acts on the first of its two blocks: the other way round on a column that stands on it.
+    # A contact's force acts on the first of its two blocks. If that block is fixed, the force is reversed, so that all
+    # forces act on the moving blocks.
     signs = np.where(fixed[simulation.contact_blocks[:, 0]], -1, 1)[:, None]
     moments.append((simulation.outlines, simulation.contact_points, simulation.contact_forces * signs))
     turned = np.degrees(simulation.rotations.max())

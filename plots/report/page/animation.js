@@ -4,7 +4,8 @@ const alphabet = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789
 const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)');
 const four = number => String(Number(number.toPrecision(4)));
 
-// Base-64 digits, low ones first, five bits in each; the sixth says that more follow, the lowest bit of all is the sign.
+// Base-64 digits hold five bits each, the lowest first; the sixth bit says that more digits follow. The lowest bit of
+// the number is its sign.
 function numbersOf(text, count) {
   const numbers = new Int32Array(count);
   let at = 0;
@@ -85,7 +86,7 @@ function bringToLife(box) {
     then = now;
     let frame = shown;
     while (frame + 1 < frames && data.times[frame + 1] <= clock) ++frame;
-    // Single pictures instead of motion for those who asked for less of it.
+    // Readers who ask for reduced motion see single pictures instead.
     if (frame !== shown && (!reducedMotion.matches || now - changed >= 500)) {
       changed = now;
       show(frame);
@@ -108,7 +109,7 @@ function bringToLife(box) {
   }
   const toggle = () => running ? stop() : start();
 
-  // Speeds 1, 2, 5, 10, ... around the one at which all takes some ten seconds.
+  // Speeds 1, 2, 5, 10, ... around the one at which the whole run takes about ten seconds.
   const middle = Math.round(3 * Math.log10((data.times[frames - 1] - data.times[0]) / 10));
   for (let power = middle - 4; power <= middle + 3; ++power) {
     const decade = Math.floor(power / 3);

@@ -1,4 +1,4 @@
-// Rows of blocks on a plane as the reader knows them.
+// Rows of blocks on a plane: checks of their case for the reader.
 #include "cases/program/case/model_cases.hpp"
 #include "limit_equilibrium/block_row/block_row.hpp"
 

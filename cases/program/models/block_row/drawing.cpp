@@ -19,7 +19,7 @@ struct Plane {
     Point at(double u, double v) const { return u * along + v * up; }
 };
 
-// The place of each block along the plane before the motion.
+// The position of each block's toe along the plane before the motion.
 std::vector<double> toes_of(const BlockRow<>& row) {
     std::vector<double> toes;
     double u = 0;
@@ -35,7 +35,8 @@ bool turns(char role) {
            role == row_role::adheres;
 }
 
-// Corners of every block after the motion, in the plane's axes; empty for blocks that stay and where nothing moves.
+// Corners of every block after the motion, in the plane's axes; empty for blocks that stay, and for all if nothing
+// moves.
 class RowMotion {
   public:
     RowMotion(const BlockRow<>& row, std::string_view roles, double turn)
@@ -69,13 +70,13 @@ class RowMotion {
                             Point(u, block.height)};
     }
 
-    // Faces stay in contact, so that toes of blocks of width b move apart to b / cos(turn). Returns how far that pushes
-    // the sliding blocks.
+    // Faces stay in contact, so the toes of blocks of width b move apart to b / cos(turn). Returns the distance by
+    // which this pushes the sliding blocks.
     double turn_blocks(std::size_t pivot) {
         const double cosine = std::cos(turn_);
         const double sine = std::sin(turn_);
         const auto first = static_cast<std::size_t>(std::ranges::find_if(roles_, turns) - roles_.begin());
-        // Toe of the unit that an index belongs to, before the motion.
+        // Position after the motion of a toe that was at `toe` before it.
         const auto moved = [&](double toe) { return toes_[pivot] + (toe - toes_[pivot]) / cosine; };
         double unit_toe = toes_[first];
         for (std::size_t index = first; index < roles_.size() && turns(roles_[index]); ++index) {

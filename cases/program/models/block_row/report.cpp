@@ -1,4 +1,4 @@
-// Rows of blocks on a plane as the program reports them: what governs, every mode, the forces.
+// Rows of blocks on a plane: the governing mode, all modes and the forces for reports.
 #include "cases/program/models/block_row/drawing.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/model_reports.hpp"
@@ -31,7 +31,7 @@ std::string_view in_words(RowModeCheck check) {
     return words[static_cast<std::size_t>(check)];
 }
 
-// 90 deg stands for none.
+// A tilt of 90 deg means that there is none.
 std::string tilt_shown(double tilt) {
     return tilt < degrees(90) ? human_number(tilt / degrees(1), 5) : "–";
 }
@@ -61,7 +61,7 @@ Table mode_table(const std::vector<RowModeSummary>& modes) {
     return table;
 }
 
-// 90 deg stands for none.
+// A tilt of 90 deg means that there is none.
 Cell tilt_or_none(double tilt) {
     return tilt < degrees(90) ? Cell(tilt) : "none";
 }
@@ -138,7 +138,7 @@ void append_modes(Analysis& analysis, const BlockRowResult& result) {
     }
 }
 
-// Long rows repeat few letters: "S x 12, P, B x 987".
+// The modes of a long row are abbreviated: "S x 12, P, B x 987".
 std::string mode_in_words(const std::string& roles) {
     constexpr std::size_t most_letters = 24;
     if (roles.size() <= most_letters) {

@@ -1,4 +1,4 @@
-// Flexural toppling by limit equilibrium, as the reader knows it.
+// Flexural toppling by limit equilibrium: checks of its case for the reader.
 #include "cases/program/case/model_cases.hpp"
 
 namespace delabole {

@@ -1,4 +1,4 @@
-// Flexural toppling by limit equilibrium as the program reports it.
+// Flexural toppling by limit equilibrium: answers, warnings and figures for reports.
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 #include "limit_equilibrium/columns/flexural_toppling.hpp"
@@ -17,7 +17,7 @@ DrawnMode drawn(FlexuralMode mode) {
                                           : DrawnMode::topples;
 }
 
-// Feet on their plane, with the pushes that columns need from below.
+// The columns on their base plane, with the force that each needs from below.
 Figure columns_figure(const FlexuralSlope& slope, const FlexuralStability& result) {
     const Point along(std::cos(slope.base_dip), std::sin(slope.base_dip));
     const Point up(-along.y(), along.x());

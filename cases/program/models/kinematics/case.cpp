@@ -1,4 +1,4 @@
-// Kinematic feasibility as the reader knows it.
+// Kinematic feasibility: checks of its case for the reader.
 #include "cases/program/case/model_cases.hpp"
 #include "kinematics/kinematics.hpp"
 
@@ -74,11 +74,11 @@ void check_case(Checker& checker, const KinematicsStudy& study) {
     }
 }
 
-// Every set and every pair answers alike, so their numbers are enough. The bound only keeps a case that is refused for
-// its many sets from asking for more memory than there is.
+// The outputs of every set and every pair are the same, so the number of sets decides. It is limited here, because a
+// case with too many sets, which is rejected later, must not exhaust the memory.
 std::vector<Quantity> possible_outputs(const KinematicsStudy& study) {
     const std::size_t given = std::min(study.model.joint_set.size(), most_joint_sets);
-    // The search may end with fewer.
+    // The search may find fewer sets.
     const std::size_t sets = given > 0 || study.model.poles.empty() ? given : most_sets_searched(study.model);
     KinematicsResult result;
     result.joint_set.resize(sets);

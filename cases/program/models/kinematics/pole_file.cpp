@@ -58,7 +58,7 @@ std::optional<std::size_t> column_named(const std::vector<PoleCell>& header,
     return std::nullopt;
 }
 
-// A way in which two columns give a plane.
+// Two columns that together give a plane.
 struct PoleColumns {
     std::size_t inclination;
     std::size_t azimuth;

@@ -1,4 +1,4 @@
-// Kinematic feasibility as the program reports it: verdicts, tables, stereonets.
+// Kinematic feasibility: verdicts, tables and stereonets for reports.
 #include "cases/program/reader/document.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
@@ -13,7 +13,7 @@ namespace delabole {
 
 namespace {
 
-// "Names of those that can move at their mean orientation."
+// A sentence with the names of those that can move at their mean orientation.
 template <class Items, class Verdict, class Name>
 std::string feasible_at_mean(const Items& items, Verdict&& verdict, Name&& name) {
     std::vector<std::string> names;
@@ -48,12 +48,12 @@ void append_summary(Analysis& analysis, const KinematicsResult& result) {
                result.pair, [](const auto& pair) { return pair.direct_toppling; }, pair_name));
 }
 
-// Rounds to a tenth of a degree; what is zero but for rounding is zero.
+// An angle rounded to a tenth of a degree; a rounding error becomes 0.
 std::string tenths_shown(double angle) {
     return human_number(std::round(angle / degrees(0.1)) / 10, 4);
 }
 
-// Whole and half degrees survive the way through radians.
+// Rounds the error of the conversion from radians, so that whole and half degrees are written as such.
 double degrees_to_write(double angle) {
     constexpr double places = 1e12;
     return std::round(angle / degrees(1) * places) / places;
@@ -115,7 +115,7 @@ Table base_table(const KinematicsResult& result) {
     return table;
 }
 
-// Pairs carry the numbers under which the stereonet shows their intersections.
+// Pairs have the numbers of their intersections in the stereonet.
 Table wedge_table(const KinematicsResult& result) {
     Table table{"Sliding of wedges, the intersection as plunge/trend",
                 {"no.", "pair", "intersection"_number, "at the mean", "carried by", "feasible below friction of"_number,
@@ -221,7 +221,7 @@ StereonetDrawing stereonet_drawing(const Kinematics& model, const KinematicsResu
     for (std::size_t set = 0; set < result.sampled.size(); ++set) {
         const JointSetFeasibility& own = result.joint_set[set];
         drawing.joint_set.push_back({own.name, own.mean, {}, {}});
-        // Beside measured poles sampled ones would be taken for measured.
+        // Beside measured poles, sampled ones would be mistaken for measured ones.
         if (own.measured || !drawing.measured) {
             drawing.joint_set.back().planes = result.sampled[set];
             drawing.joint_set.back().weights = result.sampled_weights[set];
@@ -276,7 +276,7 @@ Table number_of_sets_table(const std::vector<double>& criterion) {
     return table;
 }
 
-// The sets as sections of a case, to be pasted into another: of kinematics, or of a slope cut by joints.
+// The sets as sections that can be pasted into another case, of kinematics or of a slope cut by joints.
 std::string sets_to_paste(const Kinematics& model, const KinematicsResult& result) {
     std::string text =
         "# Sets of a case of model kinematics. In a section of the slope across its face a set has the apparent dip, "

@@ -1,4 +1,4 @@
-// Plane failure as the reader knows it.
+// Plane failure: checks of its case for the reader.
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/reader/units.hpp"
 #include "plane_failure/plane_failure.hpp"

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int curve_points = 101;
 
-// The level of a water form that has one.
+// The level of the water, if its form has one.
 WaterLevel<>* level_of(Water<>& water) {
     return std::visit(
         [](auto& form) -> WaterLevel<>* {
@@ -104,7 +104,7 @@ void annotate(const PlaneFailure<>& problem, const PlaneFailureResult& result, S
     const double left = -0.15 * height;
     drawing.measures.push_back({{left, 0}, {left, height}, value_in_words(height, Dimension::length)});
     const auto face_at = [&](double level) { return Point(level / std::tan(problem.slope.face_dip), level); };
-    // Beside the face or below the plane, wherever along it there is room.
+    // The note stands beside the face or below the plane, at any place along it with enough room.
     const auto note = [&](const Polyline& line, const Point& beside, Label::Align align, double angle) {
         SectionNote dip{{}, value_in_words(angle, Dimension::angle)};
         for (const double share : {0.5, 0.75, 0.25, 0.9, 0.1}) {
@@ -247,14 +247,14 @@ std::optional<CriticalSearchDrawing> critical_plane_drawing(const PlaneFailureSt
         study.critical->find == CriticalFeature::both ? "crack at its critical place" : "least factor of safety";
     const double lower = study.critical->lower_dip.value_or(degrees(1));
     const double upper = study.critical->upper_dip.value_or(study.model.slope.face_dip);
-    // A search over no plane but this one.
+    // A search whose range is this plane alone.
     CriticalSearch<> this_plane = *study.critical;
     this_plane.find = CriticalFeature::tension_crack;
     for (int index = 1; index + 1 < curve_points; ++index) {
         PlaneFailure<> problem = study.model;
         problem.failure_plane.dip = lower + (upper - lower) * index / (curve_points - 1);
         const double factor = least_factor(problem, this_plane, study.critical->find);
-        // Near both ends the factor of safety grows without limit; the valley is what the figure is for.
+        // Near both ends the factor of safety increases without limit, but the figure is to show the minimum.
         if (factor < 4 * best.least_factor_of_safety) {
             curve.points.emplace_back(problem.failure_plane.dip, factor);
         }

@@ -1,4 +1,4 @@
-// Tells what is impossible about a plane failure, and which value is to blame.
+// Reports what is impossible about a plane failure, and which value is the cause.
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "plane_failure/plane_failure.hpp"
@@ -15,7 +15,8 @@ namespace {
 
 enum class Side { below, above };
 
-// A limit in words, rounded to six digits towards the allowed side: who copies it into the case meets the limit.
+// A limit as text, rounded to six digits towards the allowed side, so that the number is valid when copied into the
+// case.
 std::string limit_in_words(double limit, Side allowed, Dimension dimension) {
     const double unit = display_unit(dimension).si_per_unit;
     const double shown = limit / unit;
@@ -24,7 +25,7 @@ std::string limit_in_words(double limit, Side allowed, Dimension dimension) {
     }
     constexpr int digits = 6;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(shown))) - (digits - 1));
-    // A number that is round but for the last bits stays as it is.
+    // A number that is round except for the last bits is not moved.
     const double nearest = std::round(shown / step);
     const bool round_number = std::abs(shown / step - nearest) < 1e-6;
     const double steps = round_number             ? nearest
@@ -37,19 +38,20 @@ std::string height_in_words(double height, Side allowed) {
     return limit_in_words(height, allowed, Dimension::length);
 }
 
-// Where the case is given an elevation, the elevation of a height above the toe.
+// The elevation of a height above the toe, if the case has elevations.
 std::string elevation_in_words(const PlaneFailure<>& problem, double height, Side allowed) {
     return height_in_words(problem.slope.toe_elevation.value_or(0) + height, allowed);
 }
 
-// Vertical depth of the crack if its top stood at this distance behind the crest; nothing where it cannot.
+// Vertical depth of the tension crack if its top were at this distance behind the crest; nothing if that is impossible.
 std::optional<double> depth_of_crack_at(PlaneFailure<> problem, double distance) {
     problem.tension_crack->position = CrackAtDistance<>{distance};
     Wedge<double> wedge;
     return make_wedge(problem, wedge) == PlaneFailureCheck::valid ? std::optional(wedge.crack_depth()) : std::nullopt;
 }
 
-// Behind the crest the mass is thickest at the crest or at the end of the bench, unless the ground rises for ever.
+// Behind the crest the sliding mass is deepest at the crest or at the end of the bench, unless the ground rises without
+// end.
 std::optional<double> deepest_crack(const PlaneFailure<>& problem) {
     std::optional<double> deepest = depth_of_crack_at(problem, 0);
     if (problem.slope.bench) {
@@ -59,7 +61,7 @@ std::optional<double> deepest_crack(const PlaneFailure<>& problem) {
     return deepest;
 }
 
-// Where the failure plane would meet the ground if there were no crack, behind the crest.
+// Distance behind the crest at which the failure plane would meet the ground without a crack.
 std::optional<double> surfacing_distance(PlaneFailure<> problem) {
     problem.tension_crack.reset();
     Wedge<double> wedge;
@@ -105,7 +107,7 @@ std::string crack_too_deep(const PlaneFailure<>& problem, const std::string& key
 std::string water_too_high(PlaneFailure<> problem, const std::string& key) {
     const bool on_base = std::holds_alternative<BasePeakMidHeightWater<>>(problem.water);
     const bool from_toe = std::holds_alternative<PeakAtToeWater<>>(problem.water);
-    // The geometry does not depend on the water.
+    // Dry water suffices here, because the geometry does not depend on the water.
     problem.water = Dry{};
     const PlaneFailureResult dry = analyse(problem);
     if (dry.check != PlaneFailureCheck::valid) {
@@ -127,12 +129,12 @@ std::string water_too_high(PlaneFailure<> problem, const std::string& key) {
                                : "exceeds the depth of the crack, " + height_in_words(dry.crack_depth, Side::below);
 }
 
-// The least value of a level for which the water stands as high as the pond.
+// The least value of a level at which the water exerts the pressure of the pond.
 std::string water_too_low(PlaneFailure<> problem, const std::string& key) {
     const bool above_daylight = std::holds_alternative<BasePeakMidHeightWater<>>(problem.water) ||
                                 std::holds_alternative<PeakAtToeWater<>>(problem.water);
     const double pond = problem.pond->depth;
-    // Lighter water must stand higher.
+    // Water of lower unit weight must stand higher.
     const double heavier = std::visit(
         [&](const auto& water) {
             if constexpr (requires { water.unit_weight; }) {
@@ -142,7 +144,7 @@ std::string water_too_low(PlaneFailure<> problem, const std::string& key) {
             }
         },
         problem.water);
-    // The geometry does not depend on the water.
+    // Dry water suffices here, because the geometry does not depend on the water.
     problem.water = Dry{};
     problem.pond.reset();
     const PlaneFailureResult dry = analyse(problem);
@@ -162,7 +164,7 @@ std::string water_too_low(PlaneFailure<> problem, const std::string& key) {
                           : ": must be at least " + least);
 }
 
-// Says what is wrong with the value of the key, with the limit it broke; empty where no number says more than
+// What is wrong with the value of the key, with the limit that it violates; empty if no number adds to
 // stated_impossibility.
 std::string broken_limit(const PlaneFailure<>& problem, std::string_view failure, const std::string& key) {
     if (failure == "plane_does_not_daylight") {

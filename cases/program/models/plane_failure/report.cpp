@@ -1,4 +1,4 @@
-// Plane failure as the program reports it: answers, warnings, figures.
+// Plane failure: answers, warnings and figures for reports.
 #include "cases/program/models/plane_failure/figures.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
@@ -11,7 +11,7 @@ namespace delabole {
 
 namespace {
 
-// A bolt without force has no best plunge.
+// A bolt without force has no optimum plunge.
 void append_optimum_bolt(Analysis& analysis, const OptimumBolt& optimum, double force) {
     analysis.outputs.push_back({"optimum_bolt_plunge", "plunge of bolt[1] that makes the factor of safety largest",
                                 Dimension::angle, optimum.plunge});
@@ -61,7 +61,7 @@ Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
     return table;
 }
 
-// "FS 1.3 takes 4376 kN/m in a bolt at 15 deg.": a force alone says little of a bolt.
+// "FS 1.3 takes 4376 kN/m in a bolt at 15 deg.": the force of a bolt is stated with its plunge.
 std::string required_in_words(const PlaneFailure<>& problem, const RequiredValue<>& request, const Required& required) {
     const bool found = required.status == RequiredStatus::found || required.status == RequiredStatus::several;
     for (std::size_t index = 0; index < problem.bolt.size(); ++index) {
@@ -80,7 +80,8 @@ std::string outcome_in_words(PlaneFailureOutcome outcome) {
                                "fails by sliding and overturning", "the loads lift the mass off its base"});
 }
 
-// Friction and cohesion within two standard deviations of their priors, the friction that of the mean plane.
+// Friction angle and cohesion within two standard deviations of their priors; the friction angle is that of the mean
+// plane.
 LaboratoryRange prior_range(const MechanismFit& fit, const PlaneFailure<>& slope) {
     LaboratoryRange range;
     range.legend = "priors, 2 standard deviations";
@@ -201,7 +202,7 @@ void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAns
     folder.write("sensitivities.csv", csv.text());
 }
 
-// Sections, loci and sensitivities of the best point.
+// Section, loci and sensitivities at the best point.
 void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report) {
     const PlaneFailureStudy<> best{resolve(at_best).problem, std::nullopt, {}};

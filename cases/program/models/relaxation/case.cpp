@@ -1,4 +1,4 @@
-// Dynamic relaxation as the reader knows it.
+// Dynamic relaxation: checks of its case for the reader.
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/models/relaxation/jointed_slope_case.hpp"
 #include "cases/program/models/relaxation/shaking_file.hpp"
@@ -37,7 +37,7 @@ void check_joint_number(Checker& checker, const std::string& key, const std::opt
     }
 }
 
-// A row or columns.
+// Checks a row of blocks or columns.
 void check_blocks(Checker& checker, const auto& standing) {
     if (standing.scatter) {
         check_whole(checker, "scene.scatter.seed", standing.scatter->seed);
@@ -78,12 +78,13 @@ bool has_blocks(const auto& scene) {
     return !scene.block.empty();
 }
 
-// A slope makes its own, or says why not.
+// A slope makes its own blocks, or reports why it cannot.
 bool has_blocks(const RelaxationSlope&) {
     return true;
 }
 
-// Complains unless it is the number of a block; what it is of that block the caller may go on to ask.
+// Complains and returns false unless the number is that of a block; only then can the caller check a property of the
+// block.
 bool check_block_number(Checker& checker, const std::string& key, double number, const RelaxationScene& scene) {
     if (is_whole(number) && number >= 1 && number <= static_cast<double>(scene.block.size())) {
         return true;
@@ -101,7 +102,7 @@ void check_joint_water(Checker& checker, const std::vector<WaterInJoint>& joint_
     if (joint_water.empty()) {
         return;
     }
-    // Bodies of outlines that the scene's check refuses are none.
+    // No bodies are made from outlines that the scene's check rejects.
     const bool drawn = check_scene(scene).check != SceneCheck::outline_not_convex;
     const Bodies bodies = drawn ? make_bodies(scene) : Bodies{};
     for (std::size_t index = 0; index < joint_water.size(); ++index) {
@@ -211,7 +212,8 @@ void check_critical(Checker& checker, const RelaxationStudy& study) {
     }
 }
 
-// Each stage of retrogression is a run of its own, to equilibrium or onset.
+// Each stage of retrogression is a run of its own up to equilibrium or onset, so options of a single long run are
+// refused.
 void check_retrogression(Checker& checker, const RelaxationStudy& study) {
     check_whole(checker, "retrogression.most_stages", study.retrogression->most_stages);
     const auto refuse = [&](const std::string& key, bool there, const std::string& why) {

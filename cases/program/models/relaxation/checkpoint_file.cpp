@@ -48,7 +48,8 @@ KeptProgress read_checkpoint(const std::filesystem::path& path, const Relaxation
     if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
         return {};
     }
-    // A file that is none may be of any size, and a damaged one larger than the memory.
+    // Only the header is read first: another file may have any size, and a damaged checkpoint may claim more than the
+    // memory.
     FileContent content = read_beginning(path, "a checkpoint", checkpoint_header_size);
     if (content.fault.empty()) {
         const CheckpointCheck beginning = check_beginning(content.bytes, content.size);

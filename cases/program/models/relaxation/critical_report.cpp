@@ -22,7 +22,7 @@ std::string meaning_of(CriticalParameter parameter) {
                                  "factor on gravity at which the blocks begin to fail"});
 }
 
-// "stands", "fails" and what came of them on one path.
+// "stands", "fails" and the values found for them on one path.
 std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     const Dimension dimension = dimension_of(plan.parameter);
     const std::string last = value_in_words(value.last, dimension);
@@ -49,7 +49,7 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     return {};
 }
 
-// An end of a bracket, in no more digits than tell it from the other.
+// An end of a bracket, with only as many digits as distinguish it from the other end.
 std::string bracket_in_words(double value, double other, Dimension dimension) {
     constexpr int fewest = 3;
     constexpr int most = 6;
@@ -65,7 +65,7 @@ Cell value_or_status(const PathValue& value) {
     return std::string(word_of(value.status));
 }
 
-// How it was decided that the blocks fail, with the path where there are several.
+// How failure of the blocks was decided, with the path if there are several.
 std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) {
     const Dimension dimension = dimension_of(plan.parameter);
     const RelaxationRun& failed = *value.failed;
@@ -98,8 +98,8 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
     return text;
 }
 
-// How it was decided that the blocks fail, which of them do, and their drawing. Files have the name of the path where
-// the value was found on several.
+// How failure was decided, which blocks fail, and their figure. If the value was found on several paths, the files are
+// named after the path.
 void append_failure(const CriticalPlan& plan, const PathValue& value, const ResultFolder& folder, Report& report) {
     if (!value.failed) {
         return;
@@ -156,7 +156,7 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
     }
 }
 
-// Sentences on what a search found, with its bracket.
+// Sentences on the result of a search, with its bracket.
 std::vector<std::string> search_sentences(const CriticalPlan& plan, const CriticalAnswer& critical) {
     const Dimension dimension = dimension_of(plan.parameter);
     const bool is_factor = plan.parameter == CriticalParameter::strength_reduction;
@@ -170,7 +170,7 @@ std::vector<std::string> search_sentences(const CriticalPlan& plan, const Critic
                 bracket_in_words(critical.fails, critical.stands, dimension) + " they fail."};
 }
 
-// How a run ended, for those who look at nothing else.
+// How a run ended, in a sentence for readers of the verdict alone.
 std::string end_in_words(const RelaxationRun& made) {
     const RelaxationResult& result = made.result;
     const std::string after = " after " + value_in_words(result.time, Dimension::time);
@@ -202,7 +202,7 @@ std::string end_in_words(const RelaxationRun& made) {
     }
 }
 
-// "Failed: 12 m2 in ruins" -> "failed, 12 m2 in ruins", for after a colon.
+// Changes a sentence so that it can follow a colon: "Failed: 12 m2 in ruins" becomes "failed, 12 m2 in ruins".
 std::string continued(std::string sentence) {
     sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
     const std::size_t colon = sentence.find(": ");
@@ -279,7 +279,7 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
         analysis.outputs.push_back({key, meaning, of, value, detail});
     };
     append(names.front().name, meaning_of(plan.parameter), dimension, value_or_status(critical), false);
-    // The answer's bracket; without an answer they may still be the bounds of the search.
+    // The bracket of the answer; without an answer these values may still be the bounds of the search.
     append("critical.stands", "nearest value found to stand", dimension, critical.stands, !found);
     append("critical.fails", "nearest value found to fail", dimension, critical.fails, !found);
     append("critical.path", "loading path on which the value was found", Dimension::ratio,

@@ -1,4 +1,5 @@
-// A search for a critical value as the program reports it: value, bracket, path, what failed and how that was decided.
+// The result of a search for a critical value in the report: value, bracket, path, failing blocks and how failure was
+// decided.
 #pragma once
 
 #include "cases/program/results/analysis.hpp"
@@ -15,15 +16,15 @@ struct FailingBlocks {
     double area = 0;  // m2
 };
 
-// Names the blocks that had begun to move when a run ended.
+// The blocks that had begun to move when a run ended.
 FailingBlocks failing_blocks(const RelaxationRun& failed);
 
 void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical);
 
-// Why the search has no answer on one of its paths; empty where it has one on each.
+// Why the search has no answer on one of its paths; empty if it has one on each path.
 std::string search_in_words(const CriticalPlan& plan, const CriticalAnswer& critical);
 
-// The value on each path, the blocks at failure as table and figure, failing_blocks.csv and paths.csv.
+// The value on each path, the blocks at failure as table and figure, and failing_blocks.csv and paths.csv.
 void append_critical_figures(const CriticalPlan& plan, const CriticalAnswer& critical, const ResultFolder& folder,
                              Report& report);
 

@@ -16,12 +16,12 @@ namespace delabole {
 namespace {
 
 constexpr std::size_t most_rows = 60;
-// The numbers of more blocks would hide the picture.
+// With more blocks, numbers would hide the picture.
 constexpr std::size_t most_numbered_blocks = 80;
 
 DrawnMode drawn(BlockMovement movement) {
     using enum DrawnMode;
-    // They stand in the order of movements; what was removed or has left is plain.
+    // In the order of BlockMovement; removed blocks and those that have left are plain.
     constexpr std::array modes{stays,           slides, slides, topples, slides_and_topples, slides_and_topples, moves,
                                held_by_corners, fixed,  plain,  plain};
     static_assert(modes.size() == enum_names(BlockMovement{}).size());
@@ -58,7 +58,7 @@ Figure start_figure(const RelaxationRun& made, const Bodies& bodies) {
     return block_figure(drawing);
 }
 
-// The opening at which a joint shows, over the median size of blocks.
+// Least opening, as a share of the median block size, at which a joint is shown as open.
 constexpr double open_share = 0.03;
 
 void add_cracks(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& bodies, double tilt) {
@@ -106,7 +106,7 @@ double speed(const Motion& motion) {
     return std::hypot(motion.vx, motion.vy);
 }
 
-// Velocities of the centroids at the end; false where nothing moves.
+// Adds the velocities of the centroids at the end; returns false if nothing moves.
 bool add_velocities(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& bodies) {
     double fastest = 0;
     double size = 0;
@@ -195,7 +195,7 @@ Figure mechanism_figure(const RelaxationRun& made, const std::string& title) {
     BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, true);
     drawing.title = title;
     for (DrawnBlock& block : drawing.blocks) {
-        block.label.clear();  // would hide the arrows
+        block.label.clear();  // a label would hide the arrows
     }
     add_cracks(drawing, made, bodies, made.result.tilt);
     add_velocities(drawing, made, bodies);

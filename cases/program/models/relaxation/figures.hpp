@@ -10,7 +10,7 @@
 
 namespace delabole {
 
-// Turns the scene's frame, in which gravity is tilted, to one with gravity downwards.
+// Rotates points from the scene's frame, in which gravity is tilted, to one with gravity downwards.
 class Upright {
   public:
     explicit Upright(double tilt) : cosine_(std::cos(tilt)), sine_(std::sin(tilt)) {}
@@ -26,44 +26,43 @@ class Upright {
 
 inline constexpr std::size_t most_drawn_blocks = 2500;
 
-// The label of a block in a drawing: its number, counted from 1, or that it is fixed.
+// The label of a block in a figure: its number, counted from 1, or F if it is fixed.
 inline std::string label_of(std::size_t block, bool fixed) {
     return fixed ? "F" : std::to_string(block + 1);
 }
 
-// A length in metres or, below one, millimetres (feet or inches); 0 where it is rounding.
+// A length in metres or, below one metre, in millimetres (feet or inches); a rounding error is shown as 0.
 std::string length_in_words(double length);
 
-// An angle in degrees, for a column that names the unit; 0 where nobody would see it.
+// An angle in degrees, for a column whose title names the unit; 0 if it is too small to be seen.
 std::string degrees_in_words(double angle);
 
-// Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.
+// Blocks at the start and at the end, velocities, contact forces, and the table of blocks; nothing without a run.
 void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 
-// Blocks at the end of the run at the nearest value that fails, those marked that have begun to move.
+// Blocks at the end of the run at the nearest value that fails; those that have begun to move are marked.
 void append_failure_figure(const RelaxationRun& failed, const std::string& title, const std::string& name,
                            const ResultFolder& folder, Report& report);
 
-// Shows the end of a run: how each block has moved, the velocities there, and what has broken.
+// The end of a run: how each block has moved, the velocities, and what has broken.
 Figure mechanism_figure(const RelaxationRun& made, const std::string& title);
 
-// Shows cracks, crest and the ground left standing of a jointed slope as figure, tables and *.csv; nothing for other
-// scenes.
+// Cracks, crest and the ground left standing of a jointed slope as figure, tables and *.csv; nothing for other scenes.
 void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, Report& report);
-// The blocks where they are in a frame, those marked that fail in the end.
+// The blocks at their positions in a frame; those that fail in the end are marked.
 Figure moved_slope_figure(const RelaxationRun& made, const MotionFrame& frame, const PostFailure& end,
                           const std::string& title);
-// The blocks in the drawing, those that have failed marked, with the ground left standing.
+// The blocks in the initial geometry, those that have failed marked, with the ground left standing.
 Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failure, const std::string& title);
 
-// history.csv, movements.csv and their figures; nothing where the run kept no history.
+// history.csv, movements.csv and their figures; nothing if the run kept no history.
 void append_history(const HistoryRequest& request, const RelaxationRun& made, const ResultFolder& folder,
                     Report& report);
 
-// Tension of the bolts over time, from the history or else the frames; nothing where there are no bolts.
+// Tension of the bolts over time, from the history or otherwise from the frames; nothing without bolts.
 void append_bolt_forces(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 
-// The blocks in motion, in the report and as frames/ for ParaView; nothing where the run kept no frames.
+// The moving blocks, in the report and as frames/ for ParaView; nothing if the run kept no frames.
 void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 
 }  // namespace delabole

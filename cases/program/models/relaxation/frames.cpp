@@ -1,4 +1,4 @@
-// A run as moving pictures.
+// A run of blocks as an animation.
 #include "plots/report/frames.hpp"
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/terminal/interrupt.hpp"
@@ -96,11 +96,12 @@ void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report
     const Bodies bodies = make_bodies(made.scene);
     report.blocks.emplace_back(animation_of(made, bodies));
     if (interrupt_flag()) {
-        // A hundred megabytes of a large slope, which the same command writes once it has gone on to its end.
+        // They can be a hundred megabytes for a large slope; the same command writes them once it has continued to the
+        // end of the run.
         report.blocks.emplace_back(Paragraph{"Frames for ParaView are written when the run has come to its end."});
         return;
     }
-    folder.enter({});  // takes the frames of an earlier result away, and the folder with them
+    folder.enter({});  // removes the frames of an earlier result, and their folder
     FrameFolder frames(folder.path() / "frames", "run");
     std::vector<std::string> names = frames.file_names(made.frames.size());
     for (std::string& name : names) {

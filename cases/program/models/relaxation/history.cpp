@@ -23,7 +23,8 @@ std::string name_of(double number) {
 std::vector<Column> energy_columns() {
     std::vector<Column> columns;
     const auto add = [&](const auto& field) {
-        if (field.info.dimension == Dimension::energy_per_length) {  // the residual's share is a ratio
+        // the share of the residual is a ratio and has no place here
+        if (field.info.dimension == Dimension::energy_per_length) {
             columns.push_back(
                 {std::string(field.info.key), field.info.dimension,
                  [member = field.member](const HistoryLine& line) { return std::invoke(member, line.energy); }});
@@ -103,9 +104,9 @@ std::vector<std::size_t> free_blocks(const RelaxationScene& scene) {
     return blocks;
 }
 
-// How the thesis tabulates a block between two print edits (Tables 5.1 to 5.5).
+// The abbreviation in the thesis's tables of blocks between two print edits (Tables 5.1 to 5.5).
 std::string movement_word(double slip, double size) {
-    constexpr double least_share = 1e-6;  // of the block; less is the give of the springs
+    constexpr double least_share = 1e-6;  // of the block; a smaller slip is the elastic deformation of the springs
     if (std::abs(slip) <= least_share * size) {
         return "-";
     }
@@ -167,7 +168,7 @@ Figure curves(const RelaxationHistory& history, const std::vector<Column>& colum
         const bool again = index >= curve_colours.size();
         line.colour = curve_colours[(again ? index - 1 : index) % curve_colours.size()];
         line.dash = again ? Dash::dashed : Dash::solid;
-        // A wider line is seen on both sides of another curve that covers it.
+        // A wider line is visible on both sides of another curve that covers it.
         line.width *= index == 0 ? 2 : 1;
         constexpr double rounding = 1e-12;  // m, rad, N/m or J/m
         bool any = false;
@@ -183,7 +184,7 @@ Figure curves(const RelaxationHistory& history, const std::vector<Column>& colum
     return figure;
 }
 
-// Some of the monitors' columns, no more than can be told apart.
+// The first columns of the monitors, as many as can be distinguished in a figure.
 std::vector<Column> monitored(const HistoryRequest& request, Dimension dimension, std::string_view beginning) {
     std::vector<Column> columns = monitor_columns(request);
     std::erase_if(columns, [&](const Column& column) {

@@ -41,7 +41,7 @@ bool known(const List& list, const std::string& name) {
     return std::ranges::any_of(list, [&](const auto& entry) { return entry.name == name; });
 }
 
-// The key of what names a joint that is not known.
+// The key that names an unknown joint.
 std::string unknown_joint_key(const RelaxationSlope& slope) {
     for (std::size_t index = 0; index < slope.geometry.cut.size(); ++index) {
         if (!known(slope.joint, slope.geometry.cut[index].joint)) {

@@ -1,4 +1,4 @@
-// A slope cut by joints as the reader knows it.
+// A slope cut by joints: checks of its case for the reader.
 #pragma once
 
 #include "cases/program/case/model_cases.hpp"
@@ -15,14 +15,14 @@ struct SlopeComplaint {
     std::string message;
 };
 
-// Why the slope cannot be cut; nothing where it can.
+// Why the slope cannot be cut; nothing if it can.
 std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope);
 
-// Names, numbers that are whole, and what cutting says. The joints are checked by the caller.
+// Checks names, whole numbers, and the faults found while cutting. The caller checks the joints.
 void check_slope(Checker& checker, const RelaxationSlope& slope);
 
-// Puts the corners of scene.outline_file, beside the case, in the place of its name. `prefix` is what the keys of the
-// model begin with.
+// Replaces scene.outline_file by the corners in that file, which is beside the case. `prefix` is the beginning of the
+// model's keys.
 void take_outline_file(Reading& reading, RelaxationStudy& study, const std::filesystem::path& folder,
                        const std::string& prefix);
 

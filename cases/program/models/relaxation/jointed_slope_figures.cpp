@@ -14,7 +14,7 @@ namespace delabole {
 
 namespace {
 
-// The water table as far as the section goes.
+// The water table within the width of the section.
 Polyline drawn_table(const RelaxationSlope& slope, const std::vector<RelaxationBlock>& blocks) {
     Polyline table;
     if (!slope.water) {
@@ -51,7 +51,7 @@ Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
     return table;
 }
 
-// A side of the outline that holds nothing up, in front of a slope that goes on above it.
+// Warns of a side of the outline without support, on which the slope seems to continue.
 void warn_of_free_side(const RelaxationSlope& slope, Analysis& analysis) {
     if (slope.frame && slope.frame->sides == FrameSides::all_around) {
         return;

@@ -1,4 +1,4 @@
-// The section of a slope cut by joints, and what the cutting did.
+// The section of a slope cut by joints, and the result of the cutting.
 #pragma once
 
 #include "cases/program/results/analysis.hpp"
@@ -8,10 +8,10 @@
 
 namespace delabole {
 
-// Cuts that divided nothing, and divisions of intact rock.
+// Warns of cuts that divided nothing and of intact rock that had to be divided.
 void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection& section, Analysis& analysis);
 
-// Blocks shaded by rock with the water table, and the table of cuts.
+// Figure of the blocks shaded by rock with the water table, and the table of cuts.
 void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made, const ResultFolder& folder,
                            Report& report);
 

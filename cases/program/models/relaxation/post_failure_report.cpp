@@ -56,7 +56,7 @@ void write_tables(const PostFailure& failure, const ResultFolder& folder) {
     folder.write("crest_blocks.csv", crest.text());
 }
 
-// Stages in shades of their own.
+// Number of stages that are shown in different shades.
 constexpr std::size_t most_shades = 4;
 
 // The stage of retrogression in which each block failed, counted from 1; 0: it has not failed.

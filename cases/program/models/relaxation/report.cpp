@@ -1,4 +1,4 @@
-// Dynamic relaxation as the program reports it: how the run ended, its energy balance and each block.
+// Dynamic relaxation: how the run ended, its energy balance and each block, for reports.
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/models/relaxation/checkpoint_file.hpp"
 #include "cases/program/models/relaxation/critical_report.hpp"
@@ -22,14 +22,14 @@ namespace delabole {
 
 namespace {
 
-// The share of the work that a run takes beside a search, for the progress shown.
+// Share of the work, for the progress shown, that a run takes beside a search.
 constexpr double share_of_run = 0.2;
 
 std::string block_name(std::size_t index) {
     return "block " + std::to_string(index + 1);
 }
 
-// Empty where the run ended as it was to end.
+// Empty if the run ended as intended.
 std::string run_in_words(const RelaxationRun& made) {
     switch (made.result.outcome) {
     case RelaxationOutcome::undecided:
@@ -68,7 +68,7 @@ std::string run_in_words(const RelaxationRun& made) {
     }
 }
 
-// A step that was divided now and then is shorter in the mean.
+// If time steps were divided, the mean step is shorter than the given one.
 void append_divided_step_warning(const RelaxationRun& made, Analysis& analysis) {
     const std::optional<double>& given = made.settings.time_step;
     const std::uint64_t steps = made.result.cost.steps;
@@ -82,7 +82,7 @@ void append_divided_step_warning(const RelaxationRun& made, Analysis& analysis) 
                                 " in the mean were made");
 }
 
-// Keeps a study's progress in the checkpoint now and then, and when the work is told to end.
+// Saves a study's progress in the checkpoint at intervals, and when the work is told to end.
 class Keeper {
   public:
     Keeper(const AnalysisWork& work, const RelaxationStudy& study, KeepFrames frames)
@@ -132,7 +132,7 @@ bool has_fixed_block(const RelaxationScene& scene) {
     return std::ranges::any_of(scene.block, &RelaxationBlock::fixed);
 }
 
-// Free blocks that were there at the end.
+// Whether any free block was still present at the end.
 bool any_free_block_left(const RelaxationRun& made) {
     for (std::size_t block = 0; block < made.scene.block.size(); ++block) {
         if (!made.scene.block[block].fixed && made.end->removed[block] == 0) {
@@ -142,7 +142,7 @@ bool any_free_block_left(const RelaxationRun& made) {
     return false;
 }
 
-// How the start of the run differs from the initial geometry.
+// Warns of differences between the start of the run and the initial geometry.
 void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
     const std::optional<StartBalance>& start = made.result.start_balance;
     if (start && start->cut_short && start->unbalanced_ratio > made.settings.equilibrium_ratio) {
@@ -153,8 +153,8 @@ void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
     if (!has_fixed_block(made.scene) && !made.scene.belt) {
         analysis.warnings.emplace_back("no block is fixed: all of them fall");
     }
-    // Fraction of the block's radius: springs give way by less, and so do blocks that slide or turn while equilibrium
-    // is sought.
+    // Fraction of the block's radius. The deformation of springs is less, as is the displacement of blocks that slide
+    // or rotate until equilibrium.
     constexpr double unexpected = 5e-3;
     std::size_t farthest = 0;
     double greatest = 0;
@@ -200,7 +200,7 @@ void append_run_warnings(const RelaxationRun& made, Analysis& analysis) {
     }
 }
 
-// The bound takes 25 s for 478 blocks: it is not sought for more.
+// Greatest number of blocks for which the bound is computed: it takes 25 s for 478 blocks.
 constexpr std::size_t most_blocks_in_programme = 500;
 
 bool is_small_enough(const RelaxationScene& scene) {
@@ -214,7 +214,7 @@ constexpr std::string_view corners_hold =
     "as at the toe of a slope with level ground in front of it, blocks cannot slide out: lower that ground a little to "
     "see them move, or set settings.corners_bear = \"on\" to count on corners";
 
-// Only where all joints lose strength alike is the bound one of what was searched.
+// The bound applies only if the strength of all joints is reduced equally.
 std::optional<double> bound_of_statics(const BlockScene& made_of, const CriticalPlan& plan,
                                        const RelaxationScene& scene) {
     if (plan.parameter != CriticalParameter::strength_reduction || !is_small_enough(scene) ||
@@ -230,14 +230,14 @@ void append_bound_of_statics(double bound, const CriticalAnswer& critical, Analy
     analysis.outputs.push_back({"critical.bound_of_statics",
                                 "greatest factor at which faces can take forces in equilibrium, on whatever path",
                                 Dimension::ratio, bound, false});
-    constexpr double model_error = 0.01;  // blocks turn and joints give way before they fail
+    constexpr double model_error = 0.01;  // blocks rotate and joints deform before they fail
     if (critical.status == CriticalStatus::found && critical.value() > (1 + model_error) * bound) {
         analysis.warnings.push_back("beyond a factor of " + number_in_words(bound) + " the blocks rest " +
                                     std::string(corners_hold));
     }
 }
 
-// With an ensemble numbers are means over it; words, tables and figures are of the slope as drawn.
+// With an ensemble, numbers are means over it; words, tables and figures are those of the slope as given.
 void take_means(const RelaxationStudy& study, const Prediction& mean, Analysis& analysis) {
     const std::vector<Quantity> quantities = model_interface(study).outputs;
     for (std::size_t index = 0; index < quantities.size(); ++index) {

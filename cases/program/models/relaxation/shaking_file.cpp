@@ -9,7 +9,7 @@ namespace delabole {
 namespace {
 
 constexpr std::size_t largest_bytes = std::size_t{16} << 20U;
-constexpr std::size_t most_entries = 20'000;  // a case with as many written out can be read again
+constexpr std::size_t most_entries = 20'000;  // a case with that many entries written out can still be read
 
 void check_record(Reading& reading, const std::vector<ShakingPoint>& record, const std::vector<Node>& rows) {
     if (record.empty()) {
@@ -40,7 +40,7 @@ void take_shaking_file(Reading& reading, RelaxationStudy& study, const std::file
         return;
     }
     const std::string key = prefix + "shaking_file";
-    // A mechanism's own record takes the place of the case's, however that was given.
+    // A mechanism's own record replaces that of the case, whether given in the case or by a file.
     if (reading.knows(prefix + "shaking")) {
         reading.complain_at(key, "and " + prefix + "shaking exclude each other");
         return;

@@ -65,7 +65,8 @@ bool joints_give_stiffness(const RelaxationStudy& study) {
         study.model.scene);
 }
 
-// Ten times what a block of the largest free block's area falls in over its own size: slow for any block.
+// Ten times the time in which a block, of the area of the largest free block, falls by its own size: slow for every
+// block.
 double slow_ramp(const RelaxationStudy& study) {
     const RelaxationScene scene = relaxation_scene(study);
     double area = 0;
@@ -78,8 +79,8 @@ double slow_ramp(const RelaxationStudy& study) {
 
 using Corner = std::vector<std::pair<std::string_view, double>>;
 
-// Settings that no knob alone reaches: cheap and fine runs at every stiffness, dampings by themselves, poor starts
-// where they hurt most and least, thresholds of onset at both ends of the stiffness.
+// Combinations of settings: cheap and fine runs at each stiffness, each damping alone, unfavourable starts where they
+// matter most and least, and thresholds of onset at both ends of the stiffness range.
 std::vector<Corner> corners() {
     std::vector<Corner> list;
     for (const double ratio : {1e4, 1e5, 1e6, 1e7}) {
@@ -97,7 +98,8 @@ std::vector<Corner> corners() {
     for (const double ratio : {1e5, 1e7}) {
         list.push_back({{stiffness_ratio, ratio}, {mass_scaling, on}});
     }
-    // Stiff blocks that are dropped, ramped or followed far take longer than all others together.
+    // Only low stiffnesses are combined with dropped or ramped starts and high thresholds: with stiff blocks these runs
+    // would take longer than all others together.
     for (const double ratio : {1e4, 1e6}) {
         list.push_back({{stiffness_ratio, ratio}, {start, dropped}});
         list.push_back({{stiffness_ratio, ratio}, {onset_threshold, 0.1}});
@@ -111,7 +113,7 @@ std::vector<Corner> corners() {
     return list;
 }
 
-// This leaves out what a turning base adds.
+// The threshold without the part that a rotating base adds.
 double own_threshold(const RelaxationStudy& study) {
     return numerics_of(study).onset_rotation.value_or(RelaxationSettings{}.onset_rotation);
 }
@@ -231,7 +233,7 @@ TradeProblem trade_problem(const RelaxationStudy& study, std::optional<double> t
     problem.answer = [study, knobs = problem.knobs](std::span<const double> values, const TradeWatch& watch) {
         return answer_at(with_knobs(study, knobs, values), watch);
     };
-    // The stable step goes with the root of the stiffness.
+    // The critical time step is proportional to the square root of the stiffness.
     problem.expected_cost = [knobs = problem.knobs](std::span<const double> values) {
         return std::sqrt(value_of_knob(knobs, values, stiffness_ratio, 1)) /
                value_of_knob(knobs, values, step_fraction, 1);

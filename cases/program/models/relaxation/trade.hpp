@@ -1,4 +1,4 @@
-// The knobs of dynamic relaxation and the search for a critical value, as `delabole trade` turns them.
+// The numerical settings of dynamic relaxation that `delabole trade` varies, and the search for a critical value.
 #pragma once
 
 #include "dynamic_relaxation/study/relaxation_study.hpp"
@@ -12,17 +12,18 @@
 namespace delabole {
 
 // Step fraction, stiffness ratio, local, viscous and kinetic damping, start, equilibrium ratio and threshold of onset.
-// No stiffness ratio where joints of the case give their own stiffness.
+// The stiffness ratio is left out if joints of the case have a stiffness of their own.
 std::vector<TradeKnob> trade_knobs(const RelaxationStudy& study);
 
-// The study at these values of its knobs. A case's own time step gives way to the step fraction.
+// The study with these values of its settings. A time step given by the case is replaced by the step fraction.
 RelaxationStudy with_knobs(const RelaxationStudy& study, const std::vector<TradeKnob>& knobs,
                            std::span<const double> values);
 
-// The search of `critical`, which must be there, over one knob at a time, corners and the three qualities.
+// The search of `critical`, which the study must have, with each setting varied alone, combinations of settings, and
+// the three qualities.
 TradeProblem trade_problem(const RelaxationStudy& study, std::optional<double> truth, int threads);
 
-// Remarks on parts of the case that the sweep passes over.
+// Remarks on parts of the case that the sweep ignores.
 std::vector<std::string> trade_remarks(const RelaxationStudy& study);
 
 }  // namespace delabole

@@ -1,4 +1,4 @@
-// A single block on a plane as the reader knows it.
+// A single block on a plane: checks of its case for the reader.
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/reader/units.hpp"
 

@@ -11,12 +11,12 @@ namespace {
 constexpr double right_angle = degrees(90);
 constexpr int steps = 90;
 
-// Inclination above which the toe of a toppling dry block slips; 90 deg: at none. Found along the inclination, with
-// which the friction needed grows; along the slenderness it falls and rises.
+// Inclination above which the toe of a toppling dry block slips; 90 deg if it never does. The bisection is over the
+// inclination, because the friction needed increases with it; with the slenderness it decreases and increases.
 double slip_inclination(double slenderness_angle, double friction_angle) {
     double low = slenderness_angle;
     double high = right_angle;
-    // The curve is found to far less than the width of a line.
+    // The error is then far less than the width of a line.
     for (int halving = 0; halving < 50; ++halving) {
         const double middle = (low + high) / 2;
         (toe_slip_friction_angle(middle, slenderness_angle) < friction_angle ? low : high) = middle;
@@ -47,7 +47,7 @@ ModeChart single_block_chart(double friction_angle, BlockCriteria criteria, cons
         const double slenderness_angle = phi * (1 - static_cast<double>(step) / steps);
         slip.emplace_back(slip_inclination(slenderness_angle, phi), slenderness_angle);
     }
-    // An infinitely slender column: tan(friction) = tan(inclination) / 4.
+    // For an infinitely slender column tan(friction) = tan(inclination) / 4.
     slip.emplace_back(std::atan(4 * std::tan(phi)), 0);
     Polyline topples{Point(0, 0)};
     topples.insert(topples.end(), slip.begin(), slip.end());

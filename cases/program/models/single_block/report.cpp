@@ -1,4 +1,4 @@
-// A single block on a plane as the program reports it: the block with its forces and its place in the chart of modes.
+// A single block on a plane: the block with its forces and its place in the chart of modes, for reports.
 #include "cases/program/models/single_block/chart.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/model_reports.hpp"
@@ -38,7 +38,7 @@ BlockDrawing block_drawing(const SingleBlock<>& problem, const SingleBlockResult
     BlockDrawing drawing{.title = "The block: " + human_name(word_of(result.onset_mode)),
                          .blocks = {{Polyline{Point(0, 0), width * along, width * along + height * up, height * up}, "",
                                      drawn(result.onset_mode)}}};
-    // The figure is as wide as the picture of a slender block.
+    // The base extends so far that the figure of a slender block is wide enough.
     const double reach = 0.6 * std::max(width, height);
     drawing.base = {-reach * along, (width + reach) * along};
     const Point centre = width / 2 * along + height / 2 * up;

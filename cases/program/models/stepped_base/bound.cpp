@@ -46,7 +46,7 @@ std::string why_not(const BoundResult& result, const std::string& what) {
     return "the linear programme of " + what + " did not converge: there is no bound";
 }
 
-// Programmes of a few hundred bodies take seconds.
+// The programme of a few hundred bodies takes seconds, so it can be interrupted.
 BoundState columns_or_stop(const SteppedBaseAnswer& answer, double upper_part) {
     BoundState state = bound_of_columns(answer.slope, answer.resolved.problem, upper_part, &interrupt_flag());
     stop_if_interrupted();
@@ -61,7 +61,7 @@ void append_no_bound(Analysis& analysis, std::string_view prefix, const std::str
 
 void append_result(Analysis& analysis, const BoundResult& result, std::string_view prefix, const std::string& what) {
     append_outputs(analysis, result, std::string(prefix));
-    // Infeasible is an answer: a factor of safety of 0.
+    // An infeasible programme is an answer: a factor of safety of 0.
     if (result.status != LpStatus::optimal && result.status != LpStatus::infeasible) {
         for (const std::string_view number : {".factor_of_safety", ".duality_gap", ".imbalance"}) {
             mark_none(analysis, std::string(prefix) + std::string(number));
@@ -72,7 +72,7 @@ void append_result(Analysis& analysis, const BoundResult& result, std::string_vi
     }
 }
 
-// Where the mechanism takes a point, `enlargement` metres for a motion of 1.
+// The point after the motion of the mechanism; a displacement of 1 is drawn as `enlargement` metres.
 Point moved(const Point& point, const Body& body, const VirtualMotion& motion, double enlargement) {
     const Point arm = point - body.centroid;
     return point + enlargement * (motion.displacement + motion.rotation * Point(-arm.y(), arm.x()));
@@ -104,7 +104,7 @@ void add_contact_forces(BlockDrawing& drawing, const BoundState& state) {
     }
 }
 
-// Blocks are rectangles, each listed with the face below it.
+// Blocks are rectangles; each is listed with the face below it.
 std::vector<DrawnBlock> block_outlines(const Assembly& assembly) {
     std::vector<DrawnBlock> blocks(assembly.bodies.size());
     for (const Contact& contact : assembly.contacts) {
@@ -153,7 +153,7 @@ void append_bracket(const SteppedBaseAnswer& answer, double bound_upper_part, co
         return;
     }
     constexpr int decades = 4;
-    constexpr int steps = 8;  // of each decade
+    constexpr int steps = 8;  // steps per decade
     const auto shown = [&](double factor) {
         return in_display_unit(reduced_friction(problem, factor), Dimension::angle);
     };
@@ -186,7 +186,7 @@ void append_bracket(const SteppedBaseAnswer& answer, double bound_upper_part, co
 }  // namespace
 
 std::string announcement(const SteppedBaseStudy<>& study) {
-    constexpr double seconds_for_460 = 10;  // on one core of 2020
+    constexpr double seconds_for_460 = 10;  // on one core of a processor of 2020
     constexpr double worth_telling = 2;
     if (!study.linear_programming_bound) {
         return {};

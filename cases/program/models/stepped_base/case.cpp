@@ -1,4 +1,4 @@
-// Columns on a stepped base as the reader knows them.
+// Columns on a stepped base: checks of their case for the reader.
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/models/stepped_base/bound.hpp"
 #include "cases/program/reader/units.hpp"
@@ -22,7 +22,8 @@ void check_layout(Checker& checker, const ColumnLayout<>& layout) {
     std::visit(
         [&](const auto& cut) {
             if constexpr (requires { cut.base_inclination; }) {
-                // Compared as in the model: their difference may be nothing but rounding.
+                // The sum is compared as in the model, because the difference of the angles may be only a rounding
+                // error.
                 if (cut.base_inclination + cut.joint_dip < degrees(90) - 1e-9) {
                     checker.complain("columns.joint_dip",
                                      "cannot topple on this base: bases normal to the joints dip " +
@@ -88,7 +89,7 @@ void check_scene(Checker& checker, const ColumnScene<>& scene) {
     }
 }
 
-// Cut columns carry nothing but their weight.
+// Columns cut by cross joints may carry nothing but their weight.
 void check_bound(Checker& checker, const LinearProgrammingBound& bound, const ColumnScene<>& scene) {
     if (!bound.cross_joints) {
         return;

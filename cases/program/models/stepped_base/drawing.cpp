@@ -113,7 +113,7 @@ struct Axes {
     Point at(const Column<>& column, double u, double v) const { return at(column.base_u + u, column.base_v + v); }
 };
 
-// The ground from in front of the toe to a distance behind it.
+// The ground from in front of the toe to a distance behind the crest.
 Polyline ground_line(const SlopeSection<>& slope, double end) {
     Polyline ground{Point(-slope.height / 4, 0), Point(0, 0),
                     Point(slope.height / std::tan(slope.face_dip), slope.height)};
@@ -146,7 +146,7 @@ double height_of(const WaterLevel<>& level, const std::optional<SlopeSection<>>&
     return std::get<WaterElevation<>>(level).water_elevation - slope.value().toe_elevation.value_or(0);
 }
 
-// Where a free surface lies below the ground. Without a slope there is no ground to end at.
+// The part of a free surface below the ground; all of it if there is no ground.
 Polyline below_ground(const Polyline& surface, const Polyline& ground, double end) {
     if (ground.empty()) {
         return surface;
@@ -275,7 +275,8 @@ BlockDrawing column_drawing(const SteppedBase<>& problem, const ColumnSlope<>& s
         drawing.base.front() = drawing.ground.front();
         drawing.toe_elevation = problem.scene.slope->toe_elevation.value_or(0.0);
     }
-    // Behind the columns the rock goes on: along the wedge's joint, or the joint of the last column, up to the ground.
+    // Behind the columns the rock ends at the wedge's joint, or at the joint of the last column, which is extended up
+    // to the ground.
     const Polyline& rear = outlines.back();
     if (drawing.ground.empty()) {
         drawing.base.emplace_back(drawing.base.back() + Point(end / 8, 0));

@@ -1,4 +1,4 @@
-// Tells what is impossible about columns on a stepped base, and which value is to blame.
+// Reports what is impossible about columns on a stepped base, and which value is the cause.
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "limit_equilibrium/columns/base_profile.hpp"
@@ -12,7 +12,7 @@ namespace delabole {
 
 namespace {
 
-// The first load or bolt that finds no place, and the limit that it breaks.
+// The first load or bolt that does not fit on its column, and the limit that it violates.
 struct Misplaced {
     std::string key;
     std::string explanation;
@@ -34,7 +34,7 @@ void put_on(ColumnScene<>& scene, const PointLoad<>& load) {
 void put_on(ColumnScene<>& scene, const ColumnBolt<>& bolt) {
     scene.bolt = {bolt};
 }
-// The force is what is asked for.
+// The force is unknown, since it is what is required.
 void put_on(ColumnScene<>& scene, const RequiredCable<>& cable) {
     scene.bolt = {{cable.block, 0, cable.plunge, cable.height}};
 }
@@ -81,7 +81,7 @@ std::optional<Misplaced> first_misplaced(const SteppedBaseStudy<>& study) {
     return first_misplaced(bare, slope, "required_cable", study.required_cable);
 }
 
-// Steps that are higher than the block below them.
+// Keys of steps that are higher than the block below them.
 std::vector<std::string> keys_of_high_steps(const SteppedBaseStudy<>& study) {
     std::vector<std::string> keys;
     const auto* given = std::get_if<BlockColumns<>>(&study.model.scene.columns);

@@ -1,4 +1,4 @@
-// Columns on a stepped base as the program reports them: answers and warnings.
+// Columns on a stepped base: answers and warnings for reports.
 #include "cases/program/models/stepped_base/bound.hpp"
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/models/stepped_base/sweeps.hpp"
@@ -12,7 +12,7 @@ namespace delabole {
 
 namespace {
 
-// From here on a push from below no longer holds a column that slides, or hardly.
+// Above this product of friction coefficients, a push from below hardly holds a sliding column, or not at all.
 constexpr double nearly_locked = 0.9;
 
 double friction_product_at_limit(const SteppedBase<>& problem, double factor) {
@@ -45,12 +45,12 @@ void append_required(Analysis& analysis, const SteppedBaseStudy<>& study, const 
 std::string_view what_lifts(const SlideHeadWedge<>& wedge) {
     const double into_joint = wedge.force_x * std::sin(wedge.joint_dip) - wedge.force_y * std::cos(wedge.joint_dip);
     if (!(into_joint > 0)) {
-        return "its loads lift";  // an earthquake more than any
+        return "its loads lift";  // only an extreme earthquake does this
     }
     return into_joint < wedge.water_force ? "water lifts" : "the friction of the columns that it pushes lifts";
 }
 
-// A wedge that is not there has no numbers, nor has a friction angle that none is.
+// Sets the numbers of an absent wedge to "none", and the limiting friction angle if no friction angle suffices.
 void mark_what_is_not(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseResult& result) {
     if (!problem.scene.slide_head) {
         mark_none(analysis, "slide_head");

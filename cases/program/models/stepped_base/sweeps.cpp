@@ -19,7 +19,7 @@ constexpr double most_work = 2e6;  // inputs times columns
 constexpr std::size_t most_bars = 15;
 constexpr double most_bisected_columns = 500;
 
-// There is none where the columns cannot be or have no limit.
+// Nothing if the columns are impossible or have no limiting equilibrium.
 std::optional<double> safety_of(const SteppedBase<>& problem) {
     const ColumnSlope<> slope = make_columns(problem.scene);
     if (slope.check != ColumnCheck::valid) {
@@ -59,8 +59,8 @@ SteppedBase<> with_layout(SteppedBase<> problem) {
     return problem;
 }
 
-// Both sides of the jump between two points of a curve, or nothing where it is continuous. Bisected towards the greater
-// difference: of a continuous curve that becomes small within a few steps.
+// Both sides of a jump between two points of a curve, or nothing if the curve is continuous there. Bisection follows
+// the half with the greater difference, which on a continuous curve becomes small within a few steps.
 template <class Function>
 std::optional<std::pair<Point, Point>> jump_between(const Function& function, Point left, Point right) {
     const double whole = std::abs(right.y() - left.y());
@@ -82,7 +82,7 @@ std::optional<std::pair<Point, Point>> jump_between(const Function& function, Po
     return std::pair(left, right);
 }
 
-// One answer against one input; a gap where there is none, and a break where it jumps.
+// An answer against one input, interrupted where there is no answer and where it jumps.
 template <class Answer>
 Line curve(SteppedBase<> problem, const std::string& input, Dimension x, const Interval& range, const Answer& answer) {
     Line line;
@@ -157,7 +157,7 @@ std::vector<Varied> varied_inputs(const SteppedBase<>& problem) {
     return varied;
 }
 
-// Values far above that of the case would flatten all the rest.
+// Removes values far above that of the case, beside which all others would look flat.
 void cut_off(Line& line, double ceiling) {
     for (Point& point : line.points) {
         point.y() = point.y() <= ceiling ? point.y() : std::nan("");
@@ -205,7 +205,7 @@ std::optional<GeometrySweep> safety_sweep(const SteppedBase<>& problem, const Va
     return sweep;
 }
 
-// The limiting friction angle, one curve for each dip of the joints.
+// The limiting friction angle against one input, with one curve for each dip of the joints.
 std::optional<GeometrySweep> friction_sweep(const SteppedBase<>& problem, const std::vector<Varied>& varied) {
     const Varied& along = varied.front();
     GeometrySweep sweep{

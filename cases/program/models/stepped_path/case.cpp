@@ -1,4 +1,4 @@
-// Stepped surfaces along joint sets, as the reader knows them.
+// Stepped surfaces along joint sets: checks of their case for the reader.
 #include "cases/program/case/model_cases.hpp"
 #include "limit_equilibrium/stepped_path/stepped_path.hpp"
 

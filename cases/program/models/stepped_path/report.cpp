@@ -1,4 +1,4 @@
-// Stepped surfaces along joint sets, as the program reports them.
+// Stepped surfaces along joint sets: answers, warnings and figures for reports.
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"

@@ -1,4 +1,4 @@
-// Groundwater by tilting as the program reports it: numbers only.
+// Groundwater by tilting: answers for reports, which have no figures.
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 

@@ -1,4 +1,4 @@
-// Wedge failure as the reader knows it.
+// Wedge failure: checks of its case for the reader.
 #include "cases/program/case/model_cases.hpp"
 #include "wedge_failure/wedge_failure.hpp"
 

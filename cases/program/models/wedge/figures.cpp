@@ -8,7 +8,7 @@ namespace delabole {
 
 namespace {
 
-// Not a number where there is no wedge.
+// NaN if there is no wedge.
 double factor_of(const WedgeFailure<>& problem) {
     const WedgeFailureResult result = analyse(problem);
     return result.check == WedgeFailureCheck::valid ? result.factor_of_safety : std::nan("");

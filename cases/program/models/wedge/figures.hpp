@@ -1,4 +1,4 @@
-// The data of wedge figures, from the model.
+// The data for figures of a wedge, computed with the model.
 #pragma once
 
 #include "plots/figures/figures.hpp"
@@ -12,15 +12,15 @@
 
 namespace delabole {
 
-// Both of a problem whose check is valid.
+// Both functions need a problem whose check is valid.
 WedgeDrawing wedge_drawing(const WedgeFailure<>& problem, const std::string& title);
 WedgeNet wedge_net(const WedgeFailure<>& problem, const WedgeFailureResult& result);
 
-// Factor of safety against the filled ratio of the fissures; nothing where another form of water is given.
+// Factor of safety against the filled ratio of the fissures; nothing if the water is given in another form.
 std::optional<WaterDepthCurves> filled_ratio_curve(const WedgeFailure<>& problem);
 
-// Change of the factor of safety when one input is increased by the step of reports/sensitivity_step.hpp, or decreased
-// by it where the increased one is no longer a wedge. Inputs that change nothing are left out.
+// Change of the factor of safety if one input is increased by the step of reports/sensitivity_step.hpp, or decreased by
+// it if no wedge exists at the increased value. Inputs without effect are left out.
 std::vector<SensitivityBar> sensitivity_bars(const WedgeFailure<>& problem);
 
 }  // namespace delabole

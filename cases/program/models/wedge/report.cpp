@@ -1,4 +1,4 @@
-// Wedge failure as the program reports it: answers, warnings, figures.
+// Wedge failure: answers, warnings and figures for reports.
 #include "cases/program/models/wedge/figures.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
