@@ -196,9 +196,9 @@ TEST(ThesisAsData, EveryCaseMeetsWhatItSays) {
             continue;
         }
         const CaseFile file = built_in_case(built_in.folder, built_in.name);
-        ASSERT_FALSE(file.sweeps.empty()) << built_in.name;
         std::vector<Comparison> rows = compare_expectations(file);
         std::ranges::move(compare_sweeps(file, {}), std::back_inserter(rows));
+        EXPECT_FALSE(rows.empty()) << built_in.name;
         for (const Comparison& row : rows) {
             EXPECT_NE(row.verdict, Verdict::missed) << built_in.name << ": " << row.what << ": " << row.computed;
             ++statements;
