@@ -25,10 +25,6 @@ namespace delabole {
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
                                                   const std::atomic<bool>* stop = nullptr);
 
-// Whether the scene's own strength is enough for such forces. False: if the blocks do stand, then because corners bear
-// on corners. Nothing also where the linear programme has no answer. Time: 0.03 s for 200 blocks, 0.3 s for 1500.
-std::optional<bool> stands_on_faces(const RelaxationScene& scene);
-
 // The blocks that have lost a neighbour to those that are `gone` and that the others could not hold even if they
 // stood fast themselves (the removable blocks of Goodman & Shi 1985, with friction and water). Some that are left may
 // lose their hold with them: ask again with these gone as well.

@@ -66,7 +66,4 @@ inline constexpr double greatest_weight_ratio = 1e7;
 // The builder's reason where it had one, otherwise what is wrong with the bodies and contacts themselves.
 AssemblyCheck check_assembly(const Assembly& assembly);
 
-// The same seen from behind: x reversed, so that what slid towards -x slides towards +x.
-Assembly mirrored(const Assembly& assembly);
-
 }  // namespace delabole
