@@ -277,7 +277,7 @@ unreadable() {
     title "$1"
     local command
     for command in check run show fit verify; do
-        run timeout 20 "$program" "$command" "$2"
+        run timeout 300 "$program" "$command" "$2"
         expect_status 3
         expect_silence out
         expect_error "$3"

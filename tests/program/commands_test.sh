@@ -140,7 +140,10 @@ for wrong in "water.water_depth" "water.water_depth=1 m" "water.water_depth=1 m:
 done
 delabole grid good.toml --vary "water.water_dept=0 m:4 m"
 expect_status 3
-expect_error 'did you mean water.water_depth'
+expect_error 'vary: water.water_dept: is not an input of this case (did you mean water.water_depth?)'
+delabole grid "$source_folder/cases/relaxation/single_block.toml" --vary settings.stiffness_ratio=1e3,1e6 --output critical_tilt --out keys
+expect_status 0
+expect "a key that is no input" contains keys/grid.csv 'settings.stiffness_ratio,critical_tilt_deg'
 delabole grid good.toml --vary "water.water_depth=0 m:4 m:3" --vary "water.water_depth=0 m:4 m:3"
 expect_status 3
 expect_error '"water.water_depth": varies twice in the sweep'

@@ -268,7 +268,7 @@ expect_one_line_of_error
 
 title "progress as a bar with the time left on a terminal"
 if command -v script >/dev/null; then
-    SHELL=/bin/bash TERM=xterm timeout 120 script -qec \
+    SHELL=/bin/bash TERM=xterm timeout 300 script -qec \
         "timeout --foreground -s INT 4 $(printf '%q ' "$program" "${long_fit[@]}" --set fit.starts=2000 --out terminal)" \
         /dev/null >"$scratch/typed" </dev/null || true
     tr '\r' '\n' <"$scratch/typed" >"$scratch/bars"

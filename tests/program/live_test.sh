@@ -18,7 +18,7 @@ raw() {
     exec 9<>"/dev/tcp/127.0.0.1/$port"
     # If a request is refused before it was read completely, nobody reads the rest of it.
     (trap '' PIPE && printf '%b' "$1" >&9) 2>/dev/null || true
-    timeout 20 cat <&9 >"$scratch/answer" || true
+    timeout 300 cat <&9 >"$scratch/answer" || true
     exec 9>&- 9<&-
     code=$(head -n 1 "$scratch/answer" | cut -d ' ' -f 2)
 }

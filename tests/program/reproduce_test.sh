@@ -22,7 +22,7 @@ expect "they are counted, and what is left out is named" contains "$scratch/out"
 in_browser results/thesis
 
 title "one part"
-for what in fig2.8 tilting dry_friction table3.2 limiting_friction friction_angles; do
+for what in fig2.8 tilting dry_friction table3.2 limiting_friction program_cal; do
     delabole reproduce "$what" --out "part_$what"
     expect_complete_results_of_reproduce "part_$what"
 done

@@ -5,8 +5,10 @@
 #include "cases/program/reader/ordinary_file.hpp"
 #include "fitting/work/words.hpp"
 
+#include <algorithm>
 #include <array>
 #include <iostream>
+#include <iterator>
 #include <utility>
 
 namespace delabole {
@@ -68,6 +70,31 @@ std::string models_that_have(const std::string& key) {
         }
     }
     return names.empty() ? "" : "; it belongs to " + list_in_words(names);
+}
+
+// What a case says of its model alone.
+Node model_part(const Node& tree) {
+    constexpr std::array others{"title", "description", "sources",     "expect",        "sweep",
+                                "fit",   "report",      "sensitivity", "support_design"};
+    Node part;
+    part.place = tree.place;
+    std::ranges::copy_if(tree.entries, std::back_inserter(part.entries),
+                         [&](const Entry& entry) { return std::ranges::find(others, entry.key) == others.end(); });
+    return part;
+}
+
+// The number at a key that the model knows, if not as an input; `value` is one that it may have.
+std::optional<Quantity> number_at(const Node& tree, const std::string& key, const Node& value) {
+    Node part = model_part(tree);
+    std::vector<Problem> problems;
+    apply_setting(part, {key, shown(value)}, problems);
+    Reading reading{std::string()};
+    reading.look_for(key);
+    Section root(reading, part, "");
+    if (std::optional<CaseModel> model = choose_model(root); model && problems.empty()) {
+        read_model(root, *model);
+    }
+    return reading.found_number();
 }
 
 }  // namespace
@@ -167,7 +194,11 @@ CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Settin
     complete_model(reading, result.model, name, "");
     const ModelNames names = names_of(result.model, outputs_of, reading.inputs_known());
     result.expectations = read_expectations(root, names);
-    result.sweeps = read_sweeps(root, names);
+    // A designed support is put into the model, not into the keys of the case.
+    const bool has_own_model = tree.find("support_design") != nullptr;
+    result.sweeps = read_sweeps(root, names, [&](const std::string& key, const Node& value) {
+        return has_own_model || !reading.clean() ? std::nullopt : number_at(tree, key, value);
+    });
     for_table(root, "fit", [&](Section& section) { result.fit = read_fit(section, result, outputs_of); });
     for_table(root, "sensitivity", [&](Section& section) { result.sensitivity = read_sensitivity(section, names); });
     for_table(root, "support_design",
@@ -177,7 +208,12 @@ CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Settin
     check_sources(reading, result.sources);
     reading.finish();
     result.places = reading.places();
+    result.tree = std::move(tree);
     return result;
+}
+
+CaseModel model_with(const CaseFile& case_file, const std::vector<Setting>& settings) {
+    return case_of_tree(model_part(case_file.tree), case_file.name, settings).model;
 }
 
 Problem problem_at(const CaseFile& case_file, const std::string& key, std::string message) {

@@ -94,6 +94,7 @@ struct CaseFile {
     std::optional<SupportDesign> support_design;  // [support_design]
     std::optional<ReportSettings> report;         // [report]; absent: metric
     std::map<std::string, KeyPlace> places;       // of every key that was read
+    Node tree;                                    // the tree that it was read from
 };
 
 // Reads a case file, or standard input if its name is "-". `settings` (--set) replace values of the file; a setting of
@@ -109,6 +110,9 @@ CaseFile parse_case(std::string_view text, std::string_view name, const std::vec
 // The same for a tree that was not read from a file.
 CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Setting>& settings = {},
                       const OutputsOf& outputs_of = known_outputs);
+
+// The model with further keys of the case set, as by --set. Throws CaseError if it cannot be read with them.
+CaseModel model_with(const CaseFile& case_file, const std::vector<Setting>& settings);
 
 // A complaint about a value that only the model could judge, with the place of the value in the case.
 Problem problem_at(const CaseFile& case_file, const std::string& key, std::string message);

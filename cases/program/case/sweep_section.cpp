@@ -170,6 +170,47 @@ void check_sweep(Section& section, const std::vector<CaseSweep>& before, const C
     }
 }
 
+// The names of a case and the further keys that a sweep varies or sets.
+ModelNames names_of_sweep(const Section& section, const ModelNames& names, const NumberAtKey& number_at) {
+    ModelNames known = names;
+    const auto add = [&](const std::string& key, const Node& value) {
+        if (find_quantity(known.inputs, key) == nullptr) {
+            if (const std::optional<Quantity> number = number_at(key, value)) {
+                known.inputs.push_back(*number);
+            }
+        }
+    };
+    const auto add_input = [&](const Node& swept) {
+        const Node* input = swept.find("input");
+        const Node* value = swept.find("from");
+        const Node* values = swept.find("values");
+        if (values != nullptr && !values->elements.empty()) {
+            value = &values->elements.front();
+        }
+        if (input != nullptr && value != nullptr) {
+            add(input->text, *value);
+            const Node* also = swept.find("also");
+            for (std::size_t index = 0; also != nullptr && index < also->elements.size(); ++index) {
+                add(also->elements[index].text, *value);
+            }
+        }
+    };
+    if (const Node* vary = section.peek("vary")) {
+        std::ranges::for_each(vary->elements, add_input);
+    }
+    if (const Node* each = section.peek("each")) {
+        add_input(*each);
+    }
+    if (const Node* curves = section.peek("curve")) {
+        for (const Node& curve : curves->elements) {
+            if (const Node* with = curve.find("with")) {
+                for_each_flat_entry(*with, add);
+            }
+        }
+    }
+    return known;
+}
+
 void read_sweep(Section& section, const ModelNames& names, std::vector<CaseSweep>& sweeps) {
     CaseSweep sweep{};
     sweep.place = section.place();
@@ -200,15 +241,16 @@ void read_sweep(Section& section, const ModelNames& names, std::vector<CaseSweep
 
 }  // namespace
 
-std::vector<CaseSweep> read_sweeps(Section& root, const ModelNames& names) {
+std::vector<CaseSweep> read_sweeps(Section& root, const ModelNames& names, const NumberAtKey& number_at) {
     std::vector<CaseSweep> sweeps;
     if (too_many(root, "sweep")) {
         root.allow("sweep");
         return sweeps;
     }
     for_each_table(root, "sweep", [&](Section& section) {
-        section.refer_to({std::span(&names, 1), "an output of the model"});
-        read_sweep(section, names, sweeps);
+        const ModelNames known = names_of_sweep(section, names, number_at);
+        section.refer_to({std::span(&known, 1), "an output of the model"});
+        read_sweep(section, known, sweeps);
     });
     return sweeps;
 }

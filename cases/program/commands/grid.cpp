@@ -77,13 +77,32 @@ Setting sweep_of(const Options& options) {
     return {"sweep", "[{ name = \"grid\", vary = [" + vary + "], curve = [" + curves + "] }]"};
 }
 
+// The case with the sweep; what is wrong with that is said of the option it was made from.
+CaseFile read_case_with_sweep(const std::filesystem::path& path, const Options& options) {
+    std::vector<Setting> settings = settings_of(options);
+    settings.push_back(sweep_of(options));
+    try {
+        return read_case(path, settings);
+    } catch (const CaseError& error) {
+        std::vector<Problem> problems = error.problems();
+        for (Problem& problem : problems) {
+            for (std::size_t index = 0; index < options.vary.size(); ++index) {
+                if (problem.key.starts_with("sweep[1]." + indexed("vary", index))) {
+                    problem.file = "--vary";
+                    problem.key = options.vary[index].substr(0, options.vary[index].find('='));
+                    problem.value = "";
+                }
+            }
+        }
+        throw CaseError(std::move(problems));
+    }
+}
+
 }  // namespace
 
 ExitCode grid_command(const std::filesystem::path& path, const Options& options) {
     const Stopwatch watch;
-    std::vector<Setting> settings = settings_of(options);
-    settings.push_back(sweep_of(options));
-    CaseFile file = read_case(path, settings);
+    CaseFile file = read_case_with_sweep(path, options);
     show_units_of(file);
     CaseSweep& sweep = file.sweeps.front();
     sweep.title = file.title;

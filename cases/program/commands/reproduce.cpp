@@ -106,7 +106,7 @@ void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t co
     stop_if_interrupted();
 }
 
-std::string columns_in_words(const std::vector<std::string_view>& does, const std::string& to) {
+std::string columns_in_words(const std::vector<std::string_view>& does) {
     std::vector<std::string> parts;
     for (std::size_t first = 0; first < does.size();) {
         std::size_t next = first + 1;
@@ -114,7 +114,7 @@ std::string columns_in_words(const std::vector<std::string_view>& does, const st
             ++next;
         }
         const bool several = next > first + 1;
-        parts.push_back(std::to_string(first + 1) + (several ? to + std::to_string(next) : "") + " " +
+        parts.push_back(std::to_string(first + 1) + (several ? "-" + std::to_string(next) : "") + " " +
                         std::string(does[first].substr(0, does[first].size() - (several ? 1 : 0))));
         first = next;
     }

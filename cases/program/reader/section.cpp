@@ -63,6 +63,12 @@ void Reading::remember(const std::string& key, const Node& node) {
     places_.insert_or_assign(key, KeyPlace{.place = node.place, .value = has_value ? shown(node) : std::string{}});
 }
 
+void Reading::note_number(const std::string& key, Dimension dimension, const Interval& range) {
+    if (key == sought_) {
+        found_ = Quantity{.name = key, .dimension = dimension, .meaning = {}, .range = range, .value = 0};
+    }
+}
+
 bool Reading::blames(const std::string& key) const {
     return std::ranges::find(problems_, key, &Problem::key) != problems_.end();
 }
@@ -143,6 +149,7 @@ void Section::complain_unknown(const std::string& key, const Node& node, const s
 
 std::optional<double> read_number(Reading& reading, const Node& node, const std::string& path, Dimension dimension,
                                   const Interval& range) {
+    reading.note_number(path, dimension, range);
     ParsedQuantity parsed;
     if (node.kind == Node::Kind::text) {
         parsed = parse_quantity(node.text, dimension);

@@ -39,6 +39,11 @@ class Reading {
     void complain_at(const std::string& key, std::string message);
 
     void remember(const std::string& key, const Node& node);
+    // Notes the number that is read at this key.
+    void look_for(std::string key) { sought_ = std::move(key); }
+    void note_number(const std::string& key, Dimension dimension, const Interval& range);
+    // Nothing if no number was read there.
+    const std::optional<Quantity>& found_number() const { return found_; }
     // Whether there is a complaint about the key.
     bool blames(const std::string& key) const;
     bool knows(const std::string& key) const { return places_.contains(key); }
@@ -59,6 +64,8 @@ class Reading {
     std::vector<Problem> problems_;
     std::size_t left_out_ = 0;
     std::map<std::string, KeyPlace> places_;
+    std::string sought_;
+    std::optional<Quantity> found_;
     bool inputs_known_ = true;
 };
 

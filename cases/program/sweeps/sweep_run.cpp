@@ -1,5 +1,6 @@
 #include "cases/program/sweeps/sweep_run.hpp"
 
+#include "cases/program/case/case_file.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
@@ -23,9 +24,9 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 void set_input(std::vector<Condition>& conditions, const SweptInput& swept, double value) {
-    conditions.push_back({swept.input, value});
+    conditions.push_back({swept.input, value, swept.dimension});
     for (const std::string& other : swept.also) {
-        conditions.push_back({other, value});
+        conditions.push_back({other, value, swept.dimension});
     }
 }
 
@@ -73,7 +74,8 @@ Answer answer_of(const Analysis& analysis, const std::string& output) {
 // Evaluates the case at the points of a sweep and stores the results.
 class SweepComputation {
   public:
-    SweepComputation(const CaseFile& file, const CaseSweep& sweep) : file_(file), sweep_(sweep) {
+    SweepComputation(const CaseFile& file, const CaseSweep& sweep)
+        : file_(file), sweep_(sweep), inputs_(named_inputs(file.model)) {
         first_ = sweep.vary.front().values.size();
         second_ = sweep.vary.size() > 1 ? sweep.vary[1].values.size() : 1;
         groups_ = curves_by_conditions(sweep.curves);
@@ -158,7 +160,20 @@ class SweepComputation {
         set_input(conditions, sweep_.vary.front(), value);
         AnalysisWork work;
         work.watch = [](double, const std::string&, bool) { return !interrupt_flag(); };
-        return analyse_model(with_conditions(file_.model, conditions), work);
+        return analyse_model(model_at(std::move(conditions)), work);
+    }
+
+    // Inputs change the model itself; with other keys of the case it is read again.
+    CaseModel model_at(std::vector<Condition> conditions) const {
+        std::vector<Setting> settings;
+        std::erase_if(conditions, [&](const Condition& condition) {
+            const bool is_input = find_quantity(inputs_, condition.input) != nullptr;
+            if (!is_input) {
+                settings.push_back({condition.input, written_quantity(condition.value, condition.dimension)});
+            }
+            return !is_input;
+        });
+        return with_conditions(settings.empty() ? file_.model : model_with(file_, settings), conditions);
     }
 
     std::size_t index_of(const std::string& label) const {
@@ -191,6 +206,7 @@ class SweepComputation {
 
     const CaseFile& file_;
     const CaseSweep& sweep_;
+    std::vector<Quantity> inputs_;
     std::size_t first_ = 0;
     std::size_t second_ = 0;
     std::vector<std::vector<std::size_t>> groups_;

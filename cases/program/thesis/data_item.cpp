@@ -1,6 +1,8 @@
 #include "cases/program/thesis/reproduction.hpp"
 
+#include "cases/program/results/model_reports.hpp"
 #include "cases/program/sweeps/sweep_report.hpp"
+#include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
 
 #include <algorithm>
@@ -32,6 +34,12 @@ void reproduce_data(const CaseFile& file, const ResultFolder& folder, Report& re
     // Figures go below the table of what is printed of them.
     Report drawn;
     std::vector<Comparison> comparisons = compare_expectations(file);
+    if (file.sweeps.empty()) {
+        const AnalysisWork work{.watch = [](double, const std::string&, bool) { return !interrupt_flag(); }};
+        const CaseAnswer answer = analyse_case(file.model, work);
+        stop_if_interrupted();
+        append_case_figures(file.model, answer, folder, drawn);
+    }
     std::ranges::move(document_sweeps(file, {.threads = folder.threads()}, folder, drawn),
                       std::back_inserter(comparisons));
     std::vector<PrintedRow> rows;
@@ -45,15 +53,20 @@ void reproduce_data(const CaseFile& file, const ResultFolder& folder, Report& re
 
 }  // namespace
 
+Reproduction reproduce_cases(const std::string& folder, const std::vector<std::string>& cases,
+                             const ResultFolder& results, Report& report) {
+    Reproduction result;
+    for (const std::string& one : cases) {
+        reproduce_data(built_in_case(folder, one), results, report, result);
+        result.json["cases"].push_back(folder + "/" + one + ".toml");
+    }
+    return result;
+}
+
 ReproductionItem data_item(const std::string& name, const std::string& place, const std::string& meaning,
                            const std::string& folder, const std::vector<std::string>& cases, ReproductionCost cost) {
     const auto reproduce = [folder, cases](const ResultFolder& results, Report& report) {
-        Reproduction result;
-        for (const std::string& one : cases) {
-            reproduce_data(built_in_case(folder, one), results, report, result);
-            result.json["cases"].push_back(folder + "/" + one + ".toml");
-        }
-        return result;
+        return reproduce_cases(folder, cases, results, report);
     };
     return {name, place, meaning, reproduce, cost};
 }

@@ -90,9 +90,8 @@ struct PartOfWork {
 void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t count,
               const std::function<void(std::size_t)>& task);
 
-// "1 slides, 2 to 5 topple and 6 to 8 stay": what each column does, with `to` between the first and last that do the
-// same.
-std::string columns_in_words(const std::vector<std::string_view>& does, const std::string& to);
+// "1 slides, 2-5 topple and 6-8 stay": what each column does.
+std::string columns_in_words(const std::vector<std::string_view>& does);
 // In words; differences below 1e-9 are rounding and shown as 0.
 std::string difference_in_words(double difference);
 Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows);
@@ -111,8 +110,13 @@ struct RowCounts {
 RowCounts count_rows(const std::vector<PrintedRow>& rows);
 std::string in_words(const RowCounts& counts);
 
-// An item that is data alone: cases whose texts, [[expect]] and [[sweep]] say what is printed and drawn. `cases` are
-// built-in ones of a folder (thesis_tables.hpp), in the order of the report.
+// What is printed of cases, by their [[expect]] and [[sweep]], between their texts and their figures. Without a sweep
+// these are the figures of `delabole run`. `cases` are built-in ones of a folder (thesis_tables.hpp), in the order of
+// the report.
+Reproduction reproduce_cases(const std::string& folder, const std::vector<std::string>& cases,
+                             const ResultFolder& results, Report& report);
+
+// An item that is data alone.
 ReproductionItem data_item(const std::string& name, const std::string& place, const std::string& meaning,
                            const std::string& folder, const std::vector<std::string>& cases,
                            ReproductionCost cost = ReproductionCost::seconds);

@@ -13,13 +13,15 @@ foreach(table
 endforeach()
 set(built_in_cases "")
 foreach(case
-    delabole_1967/delabole_joint_sets plane_failure/fig_2_8 plane_failure/groundwater_by_tilting stepped_base/appendix_a
+    delabole_1967/delabole_joint_sets plane_failure/dry_cohesionless
+    plane_failure/fig_2_8 plane_failure/groundwater_by_tilting relaxation/base_friction_slope stepped_base/appendix_a
     thesis/chapter_2/groundwater_column thesis/chapter_2/plate_2_i
     thesis/chapter_2/plate_2_i_continuity thesis/chapter_2/plate_2_i_without_cleavage thesis/chapter_2/plate_2_ii
     thesis/chapter_2/plate_2_ii_joints_c thesis/chapter_2/plate_2_iii
     thesis/chapter_2/plate_2_iii_friction thesis/chapter_2/plate_2_iv
     thesis/chapter_2/plate_2_iv_divided thesis/chapter_2/plate_2_v thesis/chapter_2/plate_2_vi
-    thesis/chapter_3/fig_3_5 thesis/chapter_4/appendix_a_blocks thesis/chapter_4/fig_3_4 thesis/chapter_4/fig_4_3 thesis/chapter_4/fig_4_4 thesis/chapter_4/fig_4_6
+    thesis/chapter_3/fig_3_5 thesis/chapter_4/appendix_a_blocks thesis/chapter_4/fig_3_4 thesis/chapter_4/fig_4_1
+    thesis/chapter_4/fig_4_3 thesis/chapter_4/fig_4_4 thesis/chapter_4/fig_4_6
     thesis/chapter_4/fig_4_8
     published/rj_1a published/rj_1b published/rj_1c published/rj_1d published/rj_2 published/rj_3 published/rj_4 published/rj_5
     published/rj_6 published/rj_7 published/rj_8 published/rj_9 published/rj_10 published/rj_11 published/rj_12 published/rj_13

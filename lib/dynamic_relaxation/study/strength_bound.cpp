@@ -74,13 +74,6 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
     }
 }
 
-std::optional<bool> stands_on_faces(const RelaxationScene& scene) {
-    if (!is_static(scene)) {
-        return std::nullopt;
-    }
-    return stands(assembly_of(scene));
-}
-
 std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const Bodies& bodies,
                                              const std::vector<SharedFace>& faces, const std::vector<char>& gone) {
     std::vector<std::size_t> block_of;

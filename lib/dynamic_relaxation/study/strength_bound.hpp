@@ -25,10 +25,6 @@ namespace delabole {
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
                                                   const std::atomic<bool>* stop = nullptr);
 
-// Whether the scene's own strength is enough for such forces. If not, blocks that stand do so because corners bear on
-// corners. Empty also if the linear programme has no answer. Time: 0.03 s for 200 blocks, 0.3 s for 1500.
-std::optional<bool> stands_on_faces(const RelaxationScene& scene);
-
 // The blocks that have lost a neighbour among those `gone` and that the others could not hold even if they were fixed
 // (the removable blocks of Goodman & Shi 1985, with friction and water). Further blocks may lose their support with
 // them: call again with these gone as well.

@@ -50,13 +50,6 @@ T two_blocks_backward(const T& a, const T& b, const T& w1, const T& w2, const T&
     return b * ((w1 + w2) * (1 + m) + 2 * w2 * m) / (a * (w1 + w2) * (1 + m) - 2 * w2 * b * mu);
 }
 
-// (11): both toes slide (FB), from the equality of the thrusts.
-template <class T>
-T two_blocks_equal_thrusts(const T& w1, const T& w2, const T& mu, const T& c) {
-    const T m = mu * c;
-    return (w1 * c * (1 + m) - w2 * c * (1 - m)) / (w1 * (1 + m) + w2 * (1 - m));
-}
-
 // Derived formula for N equal blocks: `forward` toes slide forward, one pivots, `backward` ones slide backward. It
 // contains (8), (15) and the corrected (14), (16) and (18).
 template <class T>

@@ -62,20 +62,4 @@ AssemblyCheck check_assembly(const Assembly& assembly) {
     return AssemblyCheck::valid;
 }
 
-Assembly mirrored(const Assembly& assembly) {
-    Assembly result = assembly;
-    for (Body& body : result.bodies) {
-        body.centroid.x() *= -1;
-        body.load.force.x() *= -1;
-        body.load.moment *= -1;
-    }
-    for (Contact& contact : result.contacts) {
-        // Reflection exchanges the sides to the left and right of the face's direction.
-        const Point start = contact.start;
-        contact.start = {-contact.end.x(), contact.end.y()};
-        contact.end = {-start.x(), start.y()};
-    }
-    return result;
-}
-
 }  // namespace delabole

@@ -67,7 +67,4 @@ inline constexpr double greatest_weight_ratio = 1e7;
 // The builder's reason if there is one, otherwise any fault of the bodies and contacts themselves.
 AssemblyCheck check_assembly(const Assembly& assembly);
 
-// The same assembly seen from behind: x is reversed, so that a body that slid towards -x slides towards +x.
-Assembly mirrored(const Assembly& assembly);
-
 }  // namespace delabole

@@ -338,27 +338,6 @@ LpBound largest_load_factor(const Assembly& assembly, const std::vector<BodyLoad
     return solve(assembly, scales_of(assembly), {loads}, 1);
 }
 
-LpBound least_support_force(const Assembly& assembly, std::size_t body, const Point& point, const Point& direction) {
-    if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
-        return refused(check);
-    }
-    if (body >= assembly.bodies.size()) {
-        return refused(AssemblyCheck::contact_of_unknown_body);
-    }
-    if (!point.allFinite() || !direction.allFinite() || !(direction.norm() > 0)) {
-        return refused(AssemblyCheck::input_out_of_range);
-    }
-    const Scales scales = scales_of(assembly);
-    const Point unit = direction.normalized();
-    Sought sought{std::vector<BodyLoad>(assembly.bodies.size()), Sense::least, 0};
-    // A factor on the mean weight, so that it is of the order of 1 in any units.
-    sought.load[body] = {scales.force * unit, scales.force * cross(point - assembly.bodies[body].centroid, unit)};
-    LpBound bound = solve(assembly, scales, sought, 1);
-    bound.value *= scales.force;
-    bound.residuals.mechanism_value *= scales.force;
-    return bound;
-}
-
 LeastImbalance least_imbalance(const Assembly& assembly) {
     if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
         return {LpStatus::invalid_assembly, check, 0, {}};

@@ -86,10 +86,6 @@ LpBound largest_tilt(const Assembly& assembly);
 // Largest factor on `loads`, one for each body, on top of its own weight and load.
 LpBound largest_load_factor(const Assembly& assembly, const std::vector<BodyLoad>& loads);
 
-// Least force, not negative, in `direction` (of any length but 0) through `point` on a body for which the assembly
-// stands. Infeasible if no such force suffices.
-LpBound least_support_force(const Assembly& assembly, std::size_t body, const Point& point, const Point& direction);
-
 // Smallest factor on the tangents of all friction angles and on all cohesions for which the assembly stands; its
 // inverse is a factor of safety, correct or too high. 0: the assembly stands without friction. Infeasible: a factor of
 // 1024 is not enough. No tangent is raised beyond 1e4. Relative accuracy 1e-10. The mechanism is the one that a

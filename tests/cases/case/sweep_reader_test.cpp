@@ -130,6 +130,29 @@ TEST(SweepSection, AnOutputAloneIsACurve) {
     EXPECT_EQ(file.sweeps.front().vary.front().values.size(), 101U);
 }
 
+TEST(SweepSection, KeysThatAreNoInputsHaveTheirDimensionAndRange) {
+    const auto text = [](const std::string& key, const std::string& values) {
+        return "schema = 1\nmodel = \"relaxation\"\nscene.kind = \"row\"\nscene.tilt = \"18 deg\"\n"
+               "scene.density = \"2700 kg/m3\"\nscene.interface.friction_angle = \"40 deg\"\n"
+               "scene.base.friction_angle = \"40 deg\"\nscene.block = [{ width = \"1 m\", height = \"3 m\" }]\n"
+               "[[sweep]]\nname = \"a\"\noutput = \"outcome\"\nvary = [{ input = \"" +
+               key + "\", values = " + values + " }]\n";
+    };
+    const std::string duration = text("settings.duration", "[\"500 ms\", \"2 s\"]");
+    const CaseFile file = parse_case(duration, "a.toml");
+    EXPECT_EQ(file.sweeps.front().vary.front().values, (std::vector{0.5, 2.0}));
+    EXPECT_EQ(file.sweeps.front().vary.front().dimension, Dimension::time);
+    EXPECT_EQ(resolved_toml(parse_case(resolved_toml(file), "b.toml")), resolved_toml(file));
+    const auto expect = [](const std::string& wrong, std::string_view words) {
+        const std::string complained = complaint(wrong);
+        EXPECT_NE(complained.find(words), std::string::npos) << complained;
+    };
+    expect(text("settings.duration", "[1, 2]"), "sweep[1].vary[1].values[1] = 1: has no unit: a time is expected");
+    expect(text("settings.duration", "[\"-1 s\", \"2 s\"]"), "must be more than 0 s");
+    expect(text("settings.durations", "[\"1 s\", \"2 s\"]"), "is not an input of this case");
+    expect(text("settings.start", "[1, 2]"), "is not an input of this case");
+}
+
 TEST(SweepSection, MistakesHaveTheirPlaceAndReason) {
     const auto expect = [](const std::string& from, const std::string& to, std::string_view words) {
         const std::string text = complaint(changed(from, to));

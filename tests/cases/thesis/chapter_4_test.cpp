@@ -40,13 +40,10 @@ TEST_F(Chapter4, DrawsWhichWayToesSlide) {
     }
 }
 
-// Given to three decimals.
 TEST_F(Chapter4, SingleBlock) {
-    const Json json = reproduce("fig4.1").json;
-    EXPECT_NEAR(json["topples_above_friction_deg"]["25"].get<double>(), 20.083, 5e-4);
-    EXPECT_NEAR(json["topples_above_friction_deg"]["30"].get<double>(), 21.364, 5e-4);
-    EXPECT_NEAR(json["topples_above_friction_deg"]["45"].get<double>(), 25.560, 5e-4);
-    EXPECT_EQ(json["friction_below_slenderness_angle"], "slides");
+    const Reproduction result = reproduce("fig4.1");
+    EXPECT_EQ(result.rows.size(), 7U);
+    EXPECT_EQ(count_rows(result.rows).not_met, 0);
 }
 
 TEST_F(Chapter4, CountsOfTheLostFigure) {

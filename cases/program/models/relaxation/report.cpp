@@ -14,6 +14,7 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -378,65 +379,28 @@ void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit
 
 Impossibility impossibility(const RelaxationStudy& study, std::string_view) {
     const SceneFault fault = check(study);
-    const std::string block = block_name(fault.index);
-    const std::string key = indexed("scene.block", fault.index);
-    const std::string joint = joint_key(study, fault.index);
-    const std::vector<std::string> shape = {key + ".vertex", key + ".width", key + ".height", key, "scene.block"};
-    const std::vector<std::string> stiffness = {"scene.base.normal_stiffness",
-                                                "scene.interface.normal_stiffness",
-                                                "scene.joint[1].normal_stiffness",
-                                                "settings.stiffness_ratio",
-                                                "settings.quality",
-                                                key};
-    const std::string not_valid = "the scene is not valid: " + human_name(word_of(fault.check));
-    switch (fault.check) {
-    case SceneCheck::no_free_block:
-        return {{"scene.block[1].hold", "scene.block", "scene.fixed[1]", "scene.fixed"},
-                "every block is fixed: nothing can move"};
-    case SceneCheck::stiffness_not_positive:
-        return {{"gravity", joint},
-                "without gravity settings.stiffness_ratio gives no stiffness: every joint needs its normal_stiffness"};
-    case SceneCheck::outline_not_convex:
-        return {shape,
-                block + " is not convex, or its corners run clockwise: list them anticlockwise, the first one once"};
-    case SceneCheck::edge_too_short:
-        return {shape, "a face of " + block + " is shorter than a millionth of the block"};
-    case SceneCheck::sizes_too_different:
-        return {shape, "the blocks differ too much in size, see " + block +
-                           ": the longest may be 100 000 times as long as the shortest face"};
-    case SceneCheck::overlap_at_start:
-        return {shape, block + " and " + block_name(fault.other.value_or(0)) +
-                           " overlap in the drawing by more than ten times what their weight would do: they would "
-                           "explode"};
-    case SceneCheck::stiffness_too_soft:
-        return {stiffness, block + " would sink into its joint by more than a tenth of its size: raise the stiffness"};
-    case SceneCheck::stiffness_too_stiff:
-        return {stiffness, "overlaps under the weight of " + block + " would drown in rounding: lower the stiffness"};
-    case SceneCheck::friction_out_of_range:
-    case SceneCheck::strength_negative:
-        return {{joint + ".friction_angle", joint}, not_valid};
-    case SceneCheck::density_not_positive:
-        return {{key + ".density", "scene.density"}, not_valid};
-    case SceneCheck::setting_out_of_range:
-        return {{"settings"}, not_valid};
-    case SceneCheck::bond_without_face:
-        return {
-            {"scene"},
-            "the two faces of bond " + std::to_string(fault.index + 1) + " do not lie on each other in the drawing"};
-    case SceneCheck::bolt_outside_blocks:
-        return {{indexed("bolt", fault.index)},
-                "bolt " + std::to_string(fault.index + 1) +
-                    " begins or ends outside the blocks, or crosses no joint: its head has to be on a face, its end in "
-                    "another block"};
-    case SceneCheck::unknown_edge:
-        return {{"scene"}, "a load is on a face that does not exist, or two blocks with water between them share none"};
-    case SceneCheck::unknown_block:
-        return {{"scene"},
-                "a load is on a block that does not exist: there are " +
-                    std::to_string(relaxation_scene(study).block.size())};
-    default:
-        return {{"scene"}, not_valid};
+    Impossibility found = stated_impossibility(RelaxationStudy::kind, word_of(fault.check));
+    if (found.keys.empty()) {
+        return {{"scene"}, "the scene is not valid: " + human_name(word_of(fault.check))};
     }
+    // What the words and keys leave open.
+    const std::array<std::pair<std::string_view, std::string>, 5> open{
+        {{"{number}", std::to_string(fault.index + 1)},
+         {"{block}", block_name(fault.index)},
+         {"{other block}", block_name(fault.other.value_or(0))},
+         {"{joint}", joint_key(study, fault.index)},
+         {"{blocks}",
+          fault.check == SceneCheck::unknown_block ? std::to_string(relaxation_scene(study).block.size()) : ""}}};
+    const auto fill = [&](std::string& text) {
+        for (const auto& [name, value] : open) {
+            if (const std::size_t at = text.find(name); at != std::string::npos) {
+                text.replace(at, name.size(), value);
+            }
+        }
+    };
+    fill(found.words);
+    std::ranges::for_each(found.keys, fill);
+    return found;
 }
 
 }  // namespace delabole

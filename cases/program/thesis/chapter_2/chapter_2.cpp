@@ -107,20 +107,6 @@ Reproduction reproduce_fig_2_8(const ResultFolder& folder, Report& report) {
     return result;
 }
 
-Reproduction reproduce_dry_friction(const ResultFolder&, Report& report) {
-    const double gentle = std::tan(degrees(30)) / std::tan(degrees(40));
-    const double steep = std::tan(degrees(40)) / std::tan(degrees(50));
-    Reproduction result;
-    result.rows.push_back({"F = cot(psi_p) tan(phi), 30 on 40 deg against 40 on 50 deg", "no considerable change",
-                           number_in_words(gentle) + " against " + number_in_words(steep),
-                           number_in_words(100 * (steep / gentle - 1)) + " %",
-                           statement(std::abs(steep / gentle - 1) < 0.05)});
-    report.blocks.emplace_back(Heading{"Ten degrees more of friction and of dip (2.3.3.2 A)"});
-    report.blocks.emplace_back(printed_table("Factor of safety of a dry slope without cohesion", result.rows));
-    result.json["relative_change"] = steep / gentle - 1;
-    return result;
-}
-
 }  // namespace
 
 ReproductionChapter chapter_2() {
@@ -148,7 +134,8 @@ ReproductionChapter chapter_2() {
             {"column_motion", "2.3.5, Plates 2.VII to IX",
              "one column with groundwater in motion: observations 1 to 4 of section 2.3.5", reproduce_column_motion,
              ReproductionCost::minutes},
-            {"dry_friction", "2.3.3.2 A", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},
+            data_item("dry_friction", "2.3.3.2 A", "dry factor of safety of section 2.3.3.2 A", "plane_failure",
+                      {"dry_cohesionless"}),
         }};
 }
 

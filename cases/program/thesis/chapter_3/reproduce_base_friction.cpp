@@ -4,6 +4,7 @@
 #include "cases/program/thesis/imperial.hpp"
 #include "cases/program/thesis/physical_models.hpp"
 #include "fitting/work/words.hpp"
+#include "plots/drawing/figure.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
@@ -75,6 +76,11 @@ struct Guess {
     Selection fails;
 };
 
+// Made after the tests were seen.
+bool steep_or_changed(const BaseFrictionState& state) {
+    return is_steep(state) || state.foundation != SlopeFoundation::model_material || state.toe != ToeChange::as_built;
+}
+
 // Columns slip past one another where the face is steeper than 90 deg - dip + phi (Goodman & Bray 1976).
 bool columns_slip(const BaseFrictionState& state) {
     return state.slope_angle > degrees(90) - state.joint_dip + mixture_friction;
@@ -112,6 +118,15 @@ Table doubt_table(const States& states) {
         }
     }
     return table;
+}
+
+void add_by_behaviour(const std::array<Polyline, 3>& points, Figure& figure) {
+    constexpr std::array legends{"stable", "limiting equilibrium", "unstable"};
+    constexpr std::array colours{Colour::blue, Colour::orange, Colour::vermilion};
+    constexpr std::array markers{Marker::filled_circle, Marker::filled_diamond, Marker::filled_square};
+    for (std::size_t index = 0; index < points.size(); ++index) {
+        figure.series.emplace_back(Points{points[index], legends[index], colours[index], markers[index]});
+    }
 }
 
 // Every test at its place, those at the same place side by side.
@@ -219,19 +234,6 @@ void add_marks(Figure& figure) {
 
 }  // namespace
 
-bool steep_or_changed(const BaseFrictionState& state) {
-    return is_steep(state) || state.foundation != SlopeFoundation::model_material || state.toe != ToeChange::as_built;
-}
-
-void add_by_behaviour(const std::array<Polyline, 3>& points, Figure& figure) {
-    constexpr std::array legends{"stable", "limiting equilibrium", "unstable"};
-    constexpr std::array colours{Colour::blue, Colour::orange, Colour::vermilion};
-    constexpr std::array markers{Marker::filled_circle, Marker::filled_diamond, Marker::filled_square};
-    for (std::size_t index = 0; index < points.size(); ++index) {
-        figure.series.emplace_back(Points{points[index], legends[index], colours[index], markers[index]});
-    }
-}
-
 Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
     const States states = base_friction_states();
     Reproduction result;
@@ -268,6 +270,12 @@ Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(printed_table("Statements and tables", result.rows));
     report.blocks.emplace_back(behaviour_table(states, result.json));
     report.blocks.emplace_back(guess_table(states, result.json));
+    report.blocks.emplace_back(Paragraph{
+        "Runs of all these models in motion, with the tensile strength of the mixture, which is not printed, fitted to "
+        "half of the slopes, do no better: 35 of 47 states came out right and 19 of 24 in the other half, where the "
+        "first of these rules gives 34 and 18, and the strength that fitted best went from 0.5 to 1.6 kPa with shorter "
+        "time steps. Their crack paths are 6.5 deg off the printed ones, the mean of these as a guess 3.8 deg. Half of "
+        "the tests determine nothing of what is not printed."});
     report.blocks.emplace_back(folder.draw(behaviour_figure(states), "table_3_2",
                                            "Behaviour over slope angle and height; tests of one geometry side by "
                                            "side."));

@@ -1,6 +1,6 @@
 // Plates 3.I to 3.XIII of the thesis as drawings: the models of Table 3.2 as they were cut, with their crack paths.
 #include "cases/program/reader/data_table.hpp"
-#include "cases/program/thesis/chapter_3/base_friction.hpp"
+#include "cases/program/thesis/chapter_3/base_friction_model.hpp"
 #include "cases/program/thesis/chapter_3/chapter_3.hpp"
 #include "cases/program/thesis/imperial.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
@@ -35,14 +35,10 @@ struct DrawnModel {
 };
 
 DrawnModel draw_model(const BaseFrictionState& state) {
-    const ModelMixture mixture = model_mixture();
-    const BaseFrictionGeometry geometry = geometry_of(state, mixture);
-    auto slope = std::get<RelaxationSlope>(base_friction_study(geometry, mixture).model.scene);
-    // Faces at which a column may break are not cut into the model.
-    std::erase_if(slope.geometry.cut, [](const SlopeCut& cut) { return cut.joint == "intact"; });
+    const BaseFrictionGeometry geometry = geometry_of(state);
     DrawnModel drawn;
     double right = 0;  // of the model, without the frame
-    for (const auto& block : slope_scene(slope).block) {
+    for (const auto& block : slope_scene(model_as_cut(geometry)).block) {
         DrawnBlock shown{.mode = block.fixed ? DrawnMode::fixed : DrawnMode::plain};
         for (const PlanePoint<>& corner : block.outline) {
             shown.outline.push_back(corner / inch);
@@ -123,8 +119,8 @@ Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& 
     report.blocks.emplace_back(Heading{"Plates 3.I to 3.XIII, drawn"});
     report.blocks.emplace_back(Paragraph{
         "Models of Table 3.2 as they were cut, in the last state that the table tells of, with the critical crack path "
-        "at its printed inclination from the toe. What the thesis does not print of them is chosen as for their runs "
-        "(base_friction): the ground in front of the toe and where columns begin. The photographs are not at hand."});
+        "at its printed inclination from the toe. The thesis does not print how far the ground in "
+        "front of the toe went, nor where columns begin: that is chosen. The photographs are not at hand."});
     std::vector<std::string> plates;
     for (const PlateModel& row : rows) {
         if (std::ranges::find(plates, row.plate) == plates.end()) {

@@ -5,7 +5,6 @@
 #include "cases/program/models/single_block/chart.hpp"
 #include "cases/program/thesis/reproduction.hpp"
 #include "fitting/work/words.hpp"
-#include "limit_equilibrium/block_row/single_block.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <cmath>
@@ -15,49 +14,12 @@ namespace delabole {
 
 namespace {
 
-BlockMotion onset(double slenderness_angle, double inclination, double friction_angle) {
-    SingleBlock<> block{};
-    block.block = {.height = 1, .width = std::tan(slenderness_angle), .unit_weight = 24e3};
-    block.base = {inclination, friction_angle, 0};
-    return analyse(block).onset_mode;
-}
-
 Reproduction reproduce_fig_4_1(const ResultFolder& folder, Report& report) {
-    constexpr double friction = degrees(35);
-    const double slenderness = std::atan(1.0 / 3);
-    Reproduction result;
-    for (const double inclination : {25.0, 30.0, 45.0}) {
-        const double boundary = toe_slip_friction_angle(degrees(inclination), slenderness);
-        const bool both_sides =
-            onset(slenderness, degrees(inclination), boundary + degrees(0.01)) == BlockMotion::topples &&
-            onset(slenderness, degrees(inclination), boundary - degrees(0.01)) == BlockMotion::slides_and_topples;
-        const std::string at = number_in_words(inclination);
-        result.rows.push_back({"a/b = 3 at " + at + " deg: friction above which it topples without sliding",
-                               at + " deg (superposed)", value_in_words(boundary, Dimension::angle),
-                               difference_in_words(boundary / degrees(1) - inclination) + " deg",
-                               both_sides ? Remark("the equations of motion change over there")
-                                          : statement(false) + ": the equations of motion do not change over there"});
-        result.json["topples_above_friction_deg"][at] = boundary / degrees(1);
-    }
-    const BlockMotion stocky = onset(degrees(30), degrees(60), degrees(25));
-    result.rows.push_back({"atan(b/a) = 30 deg, friction 25 deg, on 60 deg", "slides and topples",
-                           human_name(word_of(stocky)), "",
-                           "friction below atan(b/a): the block slides and never topples, however steep"});
-    result.json["friction_below_slenderness_angle"] = std::string(word_of(stocky));
-    report.blocks.emplace_back(Heading{"Fig 4.1: criteria for a single block"});
-    report.blocks.emplace_back(Paragraph{
-        "Fig 4.1(b) superposes two static criteria. Where both are exceeded that says nothing of what happens: a block "
-        "that slides is not pressed on its toe as a resting one is, and one that turns presses the base with another "
-        "force. Solving the motion released from rest gives the same stable region and other regions beyond it."});
-    report.blocks.emplace_back(printed_table("Single block", result.rows));
+    Reproduction result = reproduce_cases("thesis/chapter_4", {"fig_4_1"}, folder, report);
     report.blocks.emplace_back(
-        folder.draw(mode_chart_figure(single_block_chart(friction, BlockCriteria::superposed_static,
+        folder.draw(mode_chart_figure(single_block_chart(degrees(35), BlockCriteria::superposed_static,
                                                          "Fig 4.1: static criteria, friction 35 deg")),
                     "fig_4_1_static", "As printed: sliding and toppling criteria superposed."));
-    report.blocks.emplace_back(
-        folder.draw(mode_chart_figure(single_block_chart(friction, BlockCriteria::onset_of_motion,
-                                                         "Fig 4.1 by motion: onset, friction 35 deg")),
-                    "fig_4_1_dynamic", "What a dry block released from rest does."));
     return result;
 }
 

@@ -20,7 +20,7 @@ std::vector<std::string_view> behaviour_at_end(const Chapter5Run& run, const Hoc
 }
 
 std::string behaviour_in_words(const Chapter5Run& run, const HockingResult& result) {
-    return columns_in_words(behaviour_at_end(run, result), "-");
+    return columns_in_words(behaviour_at_end(run, result));
 }
 
 bool behaves_as_printed(const Chapter5Run& run, const HockingResult& result) {

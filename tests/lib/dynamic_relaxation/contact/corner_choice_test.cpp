@@ -132,7 +132,6 @@ TEST(Toe, StandsOnItsCornerAloneBelowTheFrictionOfItsPlane) {
     for (const double friction : {20.0, 34.0, 36.0}) {
         for (const SlopeCut& cut : {plane_from(35, 0), plane_from(35, -8), plane_through(35, {0, 0.2})}) {
             const RelaxationScene scene = relaxation_scene(toe(cut, degrees(friction), {{-15, 0}}));
-            EXPECT_EQ(stands_on_faces(scene), friction > 35) << friction;
             const std::optional<double> bound = greatest_strength_reduction(scene);
             ASSERT_TRUE(bound);
             // Below the plane the rock is bonded and in place: nothing else can fail.

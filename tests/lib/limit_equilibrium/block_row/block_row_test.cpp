@@ -62,6 +62,12 @@ TEST(BlockRow, CountsOfTheLostFigure) {
     }
 }
 
+// (11): both toes slide (FB), from the equality of the thrusts.
+double two_blocks_equal_thrusts(double w1, double w2, double mu, double c) {
+    const double m = mu * c;
+    return (w1 * c * (1 + m) - w2 * c * (1 - m)) / (w1 * (1 + m) + w2 * (1 - m));
+}
+
 TEST(BlockRow, UnequalWeightsAreEquations7And10And11) {
     BlockRow<> row = equal_row(2, 9, 35, 25);
     row.block[0].mass = WeightOfBlock<>{1.3};
@@ -74,7 +80,7 @@ TEST(BlockRow, UnequalWeightsAreEquations7And10And11) {
     const RowModeSummary& both = mode_of(result, "FB");
     EXPECT_EQ(both.admissibility, RowModeCheck::over_determined);
     EXPECT_NEAR(std::tan(both.critical_tilt), tilt("FP"), rounding);
-    EXPECT_NEAR(std::tan(both.second_critical_tilt), closed_form::two_blocks_equal_thrusts(1.3, 1.0, mu, c), rounding);
+    EXPECT_NEAR(std::tan(both.second_critical_tilt), two_blocks_equal_thrusts(1.3, 1.0, mu, c), rounding);
 }
 
 TEST(BlockRow, ThreeAndFourBlocksAgainstTheClosedForms) {
