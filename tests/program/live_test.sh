@@ -258,6 +258,18 @@ evaluate "(async () => {
 })()"
 expect "a joint set turns, and the slope is cut anew" test "$value" == true
 expect_value "before they move they are said to be at the start" "find('verdict').textContent.startsWith('At the start')" true
+evaluate "(async () => {
+    goTo({});
+    await refresh();
+    find('play').click();
+    while (!motion.said) await new Promise(requestAnimationFrame);
+    await new Promise(done => setTimeout(done, 100));
+    find('play').click();
+    return find('verdict').textContent.replace('Failed: ', 'failed, ');
+})()"
+"$program" run "$source_folder/cases/starting/jointed_slope.toml" --out jointed --no-report >plain.txt
+expect "what happened is said as delabole run says it: $value" contains plain.txt "${value//\"/}"
+expect "it has failed" test "${value:0:9}" == '"failed, '
 expect "the console is empty" test ! -s "$scratch/console"
 close_browser
 end_server

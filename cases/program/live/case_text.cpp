@@ -72,7 +72,9 @@ std::string in_unit(double value, Dimension dimension, std::string_view token) {
         std::array<char, 32> buffer{};
         const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value / one.value,
                                        std::chars_format::general, digits);
-        const std::string number(buffer.data(), end.ptr);
+        double rounded = 0;
+        std::from_chars(buffer.data(), end.ptr, rounded);
+        const std::string number = shortest_number(rounded);  // 20, where one digit makes 2e+01
         const ParsedQuantity back = read(number);
         if (back.status == QuantityStatus::ok && back.value == value) {
             return in_quotes ? delabole::in_quotes(written(number)) : number;

@@ -166,9 +166,11 @@ struct LiveServer::Parts {
         answer_json("/map", &LiveSession::map);
         answer_json("/fit", &LiveSession::fit);
         answer_json("/study", &LiveSession::study);
+        answer_json("/support", &LiveSession::support);
         answer_json("/save", &LiveSession::save);
         answer_json("/report", &LiveSession::report);
         answer_json("/motion/start", &LiveSession::start_motion);
+        answer_json("/motion/verdict", &LiveSession::verdict_of_motion);
         answer_json("/motion/change", &LiveSession::change_motion);
         answer("/motion/step", [this](const Json& request, httplib::Response& response) {
             response.set_content(session.step_motion(request), "application/octet-stream");

@@ -8,6 +8,7 @@
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/model_reports.hpp"
+#include "cases/program/sweeps/support_report.hpp"
 #include "fitting/mechanism/misfit.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
@@ -26,6 +27,7 @@ namespace {
 constexpr std::size_t most_handles = 60;  // more would cover the section
 constexpr std::size_t most_map_points = 40'000;
 constexpr std::chrono::seconds longest_map{3};
+constexpr std::chrono::seconds longest_design{3};
 constexpr int longest_motion = 1000;  // ms, of one request
 constexpr std::size_t most_live_blocks = 20'000;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
@@ -125,9 +127,28 @@ struct EnoughFigures {};
 const Quantity& input_named(const std::vector<Quantity>& inputs, const std::string& name) {
     const Quantity* found = find_quantity(inputs, name);
     if (found == nullptr) {
-        throw LiveRefusal("the case has no input '" + name + "'");
+        throw LiveRefusal("the case has no input '" + name + "'" + suggestion(name, names_in(inputs)));
     }
     return *found;
+}
+
+// Puts the support that a run designs into the model.
+DesignedSupport designed_support(CaseFile& file) {
+    const auto end = std::chrono::steady_clock::now() + longest_design;
+    bool over = false;
+    std::optional<DesignedSupport> support = design_support_of(file, [&](double) {
+        over = std::chrono::steady_clock::now() > end;
+        return !over;
+    });
+    if (!support) {
+        throw LiveRefusal("the case has no [support_design]");
+    }
+    if (over) {
+        throw LiveRefusal("the patterns of [support_design] take longer than " +
+                          std::to_string(longest_design.count()) +
+                          " s: the support is as the case has it, delabole run designs it");
+    }
+    return std::move(*support);
 }
 
 struct MapAxis {
@@ -255,6 +276,7 @@ Json LiveSession::open() const {
               {"model", std::string(model_name(file_.model))},
               {"moves", moves},
               {"studies", has_study(file_, fit_)},
+              {"designs_support", file_.support_design.has_value()},
               {"groups", std::move(groups)}};
     if (fit_) {
         for (const FreeParameter& free : fit_->mechanisms.front().parameters) {
@@ -415,6 +437,38 @@ Json LiveSession::study(const Json& request) const {
     }
 }
 
+Json LiveSession::support(const Json& request) const {
+    CaseFile changed = file_;
+    changed.model = model(request);
+    const DesignedSupport designed = designed_support(changed);
+    const std::vector<Quantity> inputs = named_inputs(changed.model);
+    Json json{{"sentence", designed.sentence}, {"values", Json::object()}};
+    for (const SupportChoice& choice : designed.design.choices) {
+        const Quantity& input = input_named(inputs, choice.input);
+        json["values"][input.name] = in_display_unit(input.value, input.dimension);
+    }
+    return json;
+}
+
+// What [support_design] may choose, where it is not as a run would choose it; within rounding, since the page has its
+// values in display units.
+std::vector<Condition> LiveSession::chosen_support(const std::vector<Condition>& conditions) const {
+    CaseFile designed = file_;
+    designed.model = with_conditions(file_.model, conditions);
+    const std::vector<Quantity> asked = named_inputs(designed.model);
+    const DesignedSupport support = designed_support(designed);
+    const std::vector<Quantity> found = named_inputs(designed.model);
+    constexpr double rounding = 1e-9;
+    bool same = true;
+    std::vector<Condition> chosen;
+    for (const SupportChoice& choice : support.design.choices) {
+        chosen.push_back({choice.input, input_named(asked, choice.input).value, choice.dimension});
+        const double value = chosen.back().value;
+        same = same && std::abs(value - input_named(found, choice.input).value) <= rounding * std::abs(value);
+    }
+    return same ? std::vector<Condition>() : chosen;
+}
+
 Json LiveSession::save(const Json& request) const {
     try {
         return {{"toml", with_values(text_, file_, conditions(request))}};
@@ -425,7 +479,16 @@ Json LiveSession::save(const Json& request) const {
 
 Json LiveSession::report(const Json& request) {
     std::vector<std::string> settings;
-    for (const Condition& condition : conditions(request)) {
+    std::vector<Condition> values = conditions(request);
+    if (file_.support_design) {
+        const std::vector<Condition> chosen = chosen_support(values);
+        std::erase_if(values, [&](const Condition& value) {
+            return std::ranges::find(file_.support_design->choices, value.input, &SupportChoice::input) !=
+                   file_.support_design->choices.end();
+        });
+        values.insert(values.end(), chosen.begin(), chosen.end());
+    }
+    for (const Condition& condition : values) {
         settings.push_back(condition.input + "=" +
                            written_quantity(condition.value, find_quantity(inputs_, condition.input)->dimension));
     }
@@ -465,6 +528,14 @@ std::string LiveSession::step_motion(const Json& request) {
     }
     motion_->go_on(steps, std::chrono::milliseconds(time));
     return motion_->picture();
+}
+
+Json LiveSession::verdict_of_motion(const Json& /*request*/) {
+    const std::scoped_lock lock(moving_);
+    if (!motion_) {
+        throw LiveRefusal("nothing has been set in motion");
+    }
+    return motion_->verdict();
 }
 
 Json LiveSession::change_motion(const Json& request) {

@@ -17,7 +17,8 @@ struct DesignedSupport {
 };
 
 // Puts the cheapest support into the case's model, or the strongest where none reaches the factor of safety. Where no
-// pattern has an answer, the model keeps its own. Returns nothing where the case asks for no support.
+// pattern has an answer, the model keeps its own. What --set gives is not chosen. Returns nothing where there is
+// nothing to choose.
 std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::function<bool(double)>& watch);
 
 // Puts the sentence behind the first, the verdict.
