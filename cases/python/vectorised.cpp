@@ -103,8 +103,10 @@ class PlanePoints {
 
 PointModelMaker model_of(const CaseModel& model, const PointColumns& columns) {
     const auto* study = std::get_if<PlaneFailureStudy<>>(&model);
-    // A search changes the geometry; a datum adds outputs.
-    if (study == nullptr || study->critical || study->model.slope.toe_elevation) {
+    // Elevations, which a datum adds to the outputs, are not of the result itself; a search changes the geometry.
+    const std::size_t outputs_of_result = outputs_of(PlaneFailureResult{}).size();
+    const auto is_added = [&](std::size_t output) { return output >= outputs_of_result; };
+    if (study == nullptr || study->critical || std::ranges::any_of(columns.outputs, is_added)) {
         return any_model(model, columns);
     }
     return [study, &columns]() -> PointModel {

@@ -123,6 +123,10 @@ bool LiveMotion::change(const RelaxationStudy& study) {
     state.watch.searches = 1;
     state.outcome = static_cast<std::uint64_t>(RelaxationOutcome::undecided);
     std::ranges::fill(state.checks_at_rest, 0);
+    // Contacts of blocks at rest are not evaluated until something is noticed of these.
+    for (std::size_t block = 0; block < state.motion.size(); ++block) {
+        state.noticed.notice(block, state.motion[block]);
+    }
     study_ = study;
     RelaxationSettings settings = relaxation_settings(study, scene);
     settings.duration += state.time;

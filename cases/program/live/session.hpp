@@ -4,6 +4,7 @@
 
 #include "cases/program/case/case_file.hpp"
 #include "cases/program/live/motion.hpp"
+#include "cases/program/live/request.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/options.hpp"
 #include "fitting/posterior/fit_problem.hpp"
@@ -12,17 +13,10 @@
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace delabole {
-
-// What the page has asked for cannot be done; the text is for its user.
-class LiveRefusal : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 // Requests carry `values`: inputs by their names in display units, those that differ from the case's. All functions may
 // be called from several threads at a time. LiveRefusal where a request has not the form that its function describes,

@@ -44,7 +44,7 @@ const digits = number => Number(Number(number).toPrecision(5));
 const valueOf = name => state.values[name] ?? state.inputs.get(name).value;
 
 function sliderRange(input) {
-  const scale = input.value ? Math.abs(input.value) : {m: 10, kPa: 100, deg: 45, 'kN/m3': 10, 'kN/m': 100}[input.unit] || 1;
+  const scale = input.value ? Math.abs(input.value) : {m: 10, ft: 30, kPa: 100, deg: 45, 'kN/m3': 10, 'kN/m': 100}[input.unit] || 1;
   let lower = input.lower ?? (input.value >= 0 && !/\.(x|y)$/.test(input.name) ? 0 : input.value - 2 * scale);
   let upper = input.upper ?? input.value + 2 * scale;
   if (input.unit !== 'deg' && upper - lower > 6 * scale) {
@@ -201,10 +201,11 @@ function dataAt(picture, event, toPicture = picture.getScreenCTM().inverse()) {
 
 function addHandles(picture, answer) {
   for (const handle of answer.handles) {
-    const at = picture.toPicture(handle.at), [least, most] = sliderRange(state.inputs.get(handle.inputs[0])), now = valueOf(handle.inputs[0]);
+    const place = point => picture.toPicture(point.map(one => one * (answer.metre || 1)));  // points of handles are in metres
+    const at = place(handle.at), [least, most] = sliderRange(state.inputs.get(handle.inputs[0])), now = valueOf(handle.inputs[0]);
     const stays = /water/.test(handle.name) ? ' stays' : '';  // of blocks in motion
     if (handle.from) {
-      const [x1, y1] = picture.toPicture(handle.from);
+      const [x1, y1] = place(handle.from);
       svg('line', {class: 'spoke', x1, y1, x2: at[0], y2: at[1]}, picture);
       svg('text', {class: 'box', x: at[0] + 12, y: at[1] + 4}, picture).textContent = handle.name;
     }
@@ -222,7 +223,7 @@ function addHandles(picture, answer) {
       let dragging = null;
       const move = moved => {
         if (!dragging) remember();
-        dragging = drag(handle.name, dataAt(picture, moved, toPicture), handle.is_origin && start);
+        dragging = drag(handle.name, dataAt(picture, moved, toPicture), answer.metre || 1, handle.is_origin && start);
       };
       const end = async () => {
         window.removeEventListener('pointermove', move);
@@ -241,20 +242,20 @@ function addHandles(picture, answer) {
       event.preventDefault();
       if (!event.repeat) remember();
       state.focus = handle.name;
-      drag(handle.name, picture.toData(at[0] + by[0], at[1] + by[1]));
+      drag(handle.name, picture.toData(at[0] + by[0], at[1] + by[1]), answer.metre || 1);
     });
   }
 }
 
 // `start` is what a drag of the origin counts from: it stays under the pointer while the picture is shifted.
-const drag = latest(async (handle, to, start) => {
-  const answer = await ask('/drag', {values: start ? start.values : state.values, handle, to});
+const drag = latest(async (handle, to, metre, start) => {
+  const answer = await ask('/drag', {values: start ? start.values : state.values, handle, to: to.map(one => one / metre)});
   const goes = start && Object.entries(answer.values).some(([name, value]) => digits(value) !== digits(start.values[name] ?? state.inputs.get(name).value));
   if (start) state.ranges = start.ranges.map((range, axis) => range.map(end => goes ? end - to[axis] : end));
   const values = Object.fromEntries(Object.entries(answer.values).map(([name, value]) => [name, digits(value)]));
   set({...state.values, ...values});
   showInputs();
-  if (state.open.moves) { await (motion.picture.steps ? changeMotion(answer) : startMotion(answer)); return; }
+  if (state.open.moves) { await changeMotion(answer); return; }
   show(answer);
   refreshMap();
 });

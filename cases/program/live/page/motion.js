@@ -38,6 +38,7 @@ function addKnobs() {
 }
 
 async function changeMotion(answer) {
+  if (!motion.picture.steps) { await startMotion(answer); return; }  // the static start is another one
   try {
     await ask('/motion/change', {values: state.values});
   } catch (error) {
@@ -172,7 +173,7 @@ function drawBlocks() {
 
 // The water table of a section, where it is now.
 function drawWater(pen, paint, toPicture) {
-  const points = [...state.inputs.keys()].filter(name => /water\.vertex\[\d+\]\.x$/.test(name)).map(name => [valueOf(name), valueOf(name.replace(/x$/, 'y'))]);
+  const points = [...state.inputs.keys()].filter(name => /water\.vertex\[\d+\]\.x$/.test(name)).map(name => [name, name.replace(/x$/, 'y')].map(one => valueOf(one) / state.open.metre));
   pen.strokeStyle = paint('sky');
   pen.lineWidth = 3;
   pen.beginPath();
