@@ -117,6 +117,9 @@ std::optional<Replacement> points_instead_of_file(std::string_view text, const C
         points += "    { x = " + written_quantity(x->value, x->dimension) +
                   ", y = " + written_quantity(y->value, y->dimension) + " },\n";
     }
+    if (!points.ends_with(",\n")) {
+        return std::nullopt;  // a file of something else
+    }
     return Replacement{{begin, name.begin + name.size - begin}, points + "]"};
 }
 

@@ -121,6 +121,9 @@ bool LiveMotion::change(const RelaxationStudy& study) {
     // about is none of the joints that were closed in the initial geometry.
     ContactWatch::start(scene.block.size(), state.watch);
     state.watch.searches = 1;
+    for (WatchedPair& pair : state.watch.pair) {
+        pair.holds = 0;  // else the contacts of blocks at rest keep their laws
+    }
     state.outcome = static_cast<std::uint64_t>(RelaxationOutcome::undecided);
     std::ranges::fill(state.checks_at_rest, 0);
     // Contacts of blocks at rest are not evaluated until something is noticed of these.

@@ -75,7 +75,8 @@ TEST(LiveDrags, LinesThatHaveADipAndBoltsAreDragged) {
               {"starting/jointed_slope.toml", {"joint set bedding", "joint set columns"}}}}) {
         const LiveSession session = session_of(name);
         Names found;
-        for (const Json& handle : session.answer(Json::object())["handles"]) {
+        const Json before = session.answer(Json::object());
+        for (const Json& handle : before["handles"]) {
             if (!handle.contains("from")) {
                 continue;
             }
@@ -94,7 +95,8 @@ TEST(LiveDrags, LinesThatHaveADipAndBoltsAreDragged) {
          {"starting/support.toml", "stepped_base/bolted_columns.toml", "starting/single_block.toml"}) {
         const LiveSession session = session_of(name);
         int followed = 0;
-        for (const Json& handle : session.answer(Json::object())["handles"]) {
+        const Json before = session.answer(Json::object());
+        for (const Json& handle : before["handles"]) {
             const std::string input = handle["inputs"].back();
             if (handle["inputs"].size() == 2 && (input.starts_with("support[") || input.starts_with("block."))) {
                 const Json to{handle["at"][0].get<double>() + 0.2, handle["at"][1].get<double>() - 0.1};
