@@ -155,11 +155,12 @@ const refreshMap = latest(async () => {
   });
   if (x.name === y.name) return;
   const asked = {values: state.values, output: state.open.map.output};
-  const coarse = await ask('/map', {...asked, x, y, columns: 48, rows: 36});
+  const began = performance.now(), coarse = await ask('/map', {...asked, x, y, columns: 48, rows: 36});
   const closer = closerRange(coarse, [valueOf(x.name), valueOf(y.name)]);
   if (closer) [x, y].forEach((axis, index) => Object.assign(axis, closer[index]));
-  // Finer where nothing is being dragged.
-  const map = state.ranges && !closer ? coarse : await ask('/map', {...asked, x, y, columns: state.ranges ? 48 : 72, rows: state.ranges ? 36 : 54});
+  // Finer where nothing is being dragged and the model is quick.
+  const finer = !state.ranges && performance.now() - began < 100 ? 1.5 : 1;
+  const map = finer === 1 && !closer ? coarse : await ask('/map', {...asked, x, y, columns: 48 * finer, rows: 36 * finer});
   const axes = titles.map(input => ({title: `${input.group}: ${input.label}`, unit: input.unit, grid: false}));
   const fit = state.open.fit && await ask('/fit', {values: state.values, x, y, columns: 32, rows: 24});
   const picture = drawMap(map, axes, [valueOf(x.name), valueOf(y.name)], find('chart').clientWidth, fit && fit.values && fit);
@@ -207,7 +208,8 @@ function addHandles(picture, answer) {
     if (handle.from) {
       const [x1, y1] = place(handle.from);
       svg('line', {class: 'spoke', x1, y1, x2: at[0], y2: at[1]}, picture);
-      svg('text', {class: 'box', x: at[0] + 12, y: at[1] + 4}, picture).textContent = handle.name;
+      const left = at[0] < x1;
+      svg('text', {class: 'box', x: at[0] + (left ? -12 : 12), y: at[1] + 4, 'text-anchor': left ? 'end' : 'start'}, picture).textContent = handle.name;
     }
     const knob = svg('g', {class: `handle${stays}`, tabindex: 0, role: 'slider',
       'aria-label': handle.name, 'aria-valuenow': digits(now), 'aria-valuemin': digits(Math.min(least, now)), 'aria-valuemax': digits(Math.max(most, now)), 'aria-valuetext': handle.inputs.map(name => `${name} ${digits(valueOf(name))} ${state.inputs.get(name).unit}`).join(', ')}, picture);
