@@ -1,6 +1,7 @@
 #include "cases/python/case_object.hpp"
 
 #include "cases/program/case/case_writer.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/model_reports.hpp"
@@ -92,16 +93,42 @@ py::dict run_case(const CaseObject& object, const py::object& progress, unsigned
 std::size_t place_among(const std::vector<Quantity>& quantities, const std::string& name, const char* what) {
     const auto place = place_of(quantities, name);
     if (!place) {
-        throw py::key_error("the case has no " + std::string(what) + " '" + name + "'");
+        throw py::key_error("the case has no " + std::string(what) + " '" + name + "'" +
+                            suggestion(name, names_in(quantities)));
     }
     return *place;
+}
+
+// SI value of "30 deg" for an input.
+double input_value(const CaseObject& object, const std::string& name, const std::string& text) {
+    const std::vector<Quantity> inputs = named_inputs(object.file.model);
+    const ParsedQuantity read = parse_quantity(text, inputs[place_among(inputs, name, "input")].dimension);
+    if (read.status != QuantityStatus::ok) {
+        throw py::value_error(name + " = '" + text + "': " + read.message);
+    }
+    return read.value;
+}
+
+// The model as run() and sensitivity() take it: with the support that its case has designed.
+const CaseModel& supported_model(const CaseObject& object, const py::object& progress) {
+    if (!object.file.support_design) {
+        return object.file.model;
+    }
+    if (!object.supported) {
+        CaseFile file = object.file;
+        in_background(progress,
+                      [&](BackgroundWatch& watch) { design_support_of(file, telling(watch, "patterns of support")); });
+        object.supported = std::move(file.model);
+    }
+    return *object.supported;
 }
 
 // Evaluates the case at `count` points. `inputs` holds columns of equal length by the names of inputs. Returns the
 // outputs asked for, for each point the number of its cause of failure, and the list of causes.
 py::tuple evaluate_case(const CaseObject& object, const std::map<std::string, Column>& inputs, std::size_t count,
                         const std::vector<std::string>& outputs, const py::object& progress, int threads) {
-    const ModelInterface model = interface_of(object.file.model);
+    const CaseModel& supported = supported_model(object, progress);
+    const ModelInterface model = interface_of(supported);
     PointColumns columns;
     columns.count = count;
     for (const auto& [name, values] : inputs) {
@@ -120,7 +147,7 @@ py::tuple evaluate_case(const CaseObject& object, const std::map<std::string, Co
     columns.failures = failures.mutable_data();
     std::vector<std::string> causes;
     in_background(progress, [&](BackgroundWatch& watch) {
-        causes = evaluate_points(object.file.model, columns,
+        causes = evaluate_points(supported, columns,
                                  {threads, watch.stop_flag(), [&](double share) { watch.tell(share, "points"); }});
     });
     return py::make_tuple(answers, failures, causes);
@@ -217,6 +244,7 @@ void bind_cases(py::module_& module) {
             "outputs", [](const CaseObject& object) { return list_of(interface_of(object.file.model).outputs); })
         .def("check", [](const CaseObject& object) { refuse_impossible(object.file); })
         .def("run", &run_case, py::arg("progress"), py::arg("threads"))
+        .def("input_value", &input_value, py::arg("name"), py::arg("text"))
         .def("evaluate", &evaluate_case, py::arg("inputs"), py::arg("count"), py::arg("outputs"), py::arg("progress"),
              py::arg("threads"))
         .def("sample", &sample_case, py::arg("samples"), py::arg("method"), py::arg("seed"))

@@ -5,10 +5,14 @@
 
 #include <pybind11/pybind11.h>
 
+#include <optional>
+
 namespace delabole {
 
 struct CaseObject {
     CaseFile file;
+    // With the support that [support_design] finds, once that has been asked for; see supported_model.
+    mutable std::optional<CaseModel> supported{};
 };
 
 void bind_cases(pybind11::module_& module);

@@ -74,12 +74,15 @@ void translate(const py::handle& case_error, std::exception_ptr thrown) {
     try {
         std::rethrow_exception(std::move(thrown));
     } catch (const CaseError& error) {
+        std::vector<Problem> found = error.problems();
         py::list problems;
-        for (const Problem& problem : error.problems()) {
+        for (Problem& problem : found) {
+            // What the command line gives by --set, a program in Python gives by settings.
+            problem.file = problem.file == "--set" ? "settings" : problem.file;
             problems.append(py::make_tuple(problem.file, problem.line, problem.column, problem.key, problem.value,
                                            problem.message));
         }
-        const py::object raised = case_error(error.what());
+        const py::object raised = case_error(CaseError(found).what());
         raised.attr("problems") = problems;
         PyErr_SetObject(case_error.ptr(), raised.ptr());
     } catch (const UsageError& error) {

@@ -254,20 +254,28 @@ void bind_simulation(py::module_& module) {
                  const Simulation& now = object.now();
                  return py::bytes(checkpoint_of(now.scene(), now.settings(), now.state()));
              })
-        .def_property_readonly("running", [](const SimulationObject& object) { return object.now().running(); })
+        .def_property_readonly(
+            "running", [](const SimulationObject& object) { return object.now().running(); },
+            "whether neither an outcome nor the end of the duration has been reached")
         .def_property_readonly(
             "outcome",
-            [](const SimulationObject& object) { return std::string(word_of(object.now().result().outcome)); })
-        .def_property_readonly("time", [](const SimulationObject& object) { return object.now().state().time; })
-        .def_property_readonly("time_step", [](const SimulationObject& object) { return object.now().state().step; })
-        .def_property_readonly("steps", [](const SimulationObject& object) { return object.now().state().steps; })
-        .def_property_readonly("tilt", [](const SimulationObject& object) { return object.now().tilt(); })
-        .def_property_readonly("fixed",
-                               [](const SimulationObject& object) {
-                                   const std::vector<char>& fixed = object.now().bodies().fixed;
-                                   return py::array(py::dtype("bool"), {static_cast<py::ssize_t>(fixed.size())}, {},
-                                                    fixed.data());
-                               })
+            [](const SimulationObject& object) { return std::string(word_of(object.now().result().outcome)); },
+            "how the run has ended: undecided, equilibrium, held_by_corners, onset, collapse, or why it was stopped")
+        .def_property_readonly(
+            "time", [](const SimulationObject& object) { return object.now().state().time; }, "of the model, s")
+        .def_property_readonly(
+            "time_step", [](const SimulationObject& object) { return object.now().state().step; }, "the last one, s")
+        .def_property_readonly(
+            "steps", [](const SimulationObject& object) { return object.now().state().steps; }, "made so far")
+        .def_property_readonly(
+            "tilt", [](const SimulationObject& object) { return object.now().tilt(); }, "of gravity now, rad")
+        .def_property_readonly(
+            "fixed",
+            [](const SimulationObject& object) {
+                const std::vector<char>& fixed = object.now().bodies().fixed;
+                return py::array(py::dtype("bool"), {static_cast<py::ssize_t>(fixed.size())}, {}, fixed.data());
+            },
+            "of each block: whether it never moves")
         .def_property_readonly(
             "gone",
             [](const SimulationObject& object) {
@@ -277,19 +285,28 @@ void bind_simulation(py::module_& module) {
                     flags(block) = object.now().state().removed[static_cast<std::size_t>(block)] != 0;
                 }
                 return gone;
-            })
-        .def_property_readonly("centroids", &centroids)
-        .def_property_readonly("displacements", &displacements)
-        .def_property_readonly("first_displacements", &first_displacements)
-        .def_property_readonly("rotations", &rotations)
-        .def_property_readonly("velocities", &velocities)
-        .def_property_readonly("spins", &spins)
-        .def_property_readonly("contact_forces", &contact_forces)
-        .def_property_readonly("contact_blocks", &contact_blocks)
-        .def_property_readonly("contact_points", &contact_points)
-        .def_property_readonly("outlines", &outlines)
-        .def_property_readonly("movements", &movements)
-        .def_property_readonly("energies", &energies);
+            },
+            "of each block: whether it was removed or has left the slope")
+        .def_property_readonly("centroids", &centroids, "in the initial geometry, m: an array of blocks by two")
+        .def_property_readonly("displacements", &displacements,
+                               "of centroids since the initial geometry, m: an array of blocks by two")
+        .def_property_readonly("first_displacements", &first_displacements,
+                               "of centroids when the run began, after the static start, m: an array of blocks by two")
+        .def_property_readonly("rotations", &rotations, "of blocks, anticlockwise, rad")
+        .def_property_readonly("velocities", &velocities, "of centroids, m/s: an array of blocks by two")
+        .def_property_readonly("spins", &spins, "angular velocities of blocks, anticlockwise, rad/s")
+        .def_property_readonly("contact_forces", &contact_forces,
+                               "on the first block of each contact, N per metre of slope: an array of contacts by two")
+        .def_property_readonly(
+            "contact_blocks", &contact_blocks,
+            "the two blocks of each contact, counted from 0: the first is pressed by an edge of the second")
+        .def_property_readonly("contact_points", &contact_points,
+                               "corners that touch, as they lie now, m: an array of contacts by two")
+        .def_property_readonly("outlines", &outlines, "of each block as it lies now, m: an array of corners by two")
+        .def_property_readonly("movements", &movements,
+                               "of each block a word: stays, slides_forward, rotates and so on")
+        .def_property_readonly("energies", &energies,
+                               "the balance of energy, J per metre of slope, and residual_share, a ratio");
 }
 
 }  // namespace delabole

@@ -104,8 +104,10 @@ class PlanePoints {
 
 PointModelMaker model_of(const CaseModel& model, const PointColumns& columns) {
     const auto* study = std::get_if<PlaneFailureStudy<>>(&model);
-    // A search changes the geometry, and a datum adds outputs, so these cases need the general model.
-    if (study == nullptr || study->critical || study->model.slope.toe_elevation) {
+    // A search changes the geometry, and a datum adds elevations to the outputs: both need the general model.
+    const std::size_t outputs_of_result = outputs_of(PlaneFailureResult{}).size();
+    const auto is_added = [&](std::size_t output) { return output >= outputs_of_result; };
+    if (study == nullptr || study->critical || std::ranges::any_of(columns.outputs, is_added)) {
         return any_model(model, columns);
     }
     return [study, &columns]() -> PointModel {

@@ -24,6 +24,8 @@ million = {
     "strength.cohesion": generator.uniform(0, 50e3, 1_000_000),
 }
 measured("factors of safety of plane failure", plane, million, "factor_of_safety")
+fig_2_8 = delabole.read("cases/plane_failure/fig_2_8.toml")  # whose toe has an elevation
+measured("factors of safety of Fig 2.8", fig_2_8, million, "factor_of_safety")
 measured("weights of plane failure, with all that a run computes", plane, million, "weight")
 grid = {
     "strength.friction_angle": np.linspace(0.3, 0.7, 1000)[:, None],

@@ -77,6 +77,9 @@ expect_code 404 "a path out of it"
 raw "GET /etc/passwd HTTP/1.1\r\nHost: 127.0.0.1:$port\r\nConnection: close\r\n\r\n"
 expect_code 404 "another path"
 
+expect "the terminal says that requests were refused" contains "$scratch/served_err" "a request was refused with status 401: it had not the token"
+expect "but not each" test "$(wc -l <"$scratch/served_err")" -lt 9
+
 title "what is refused"
 post /answer 'not JSON'
 expect_code 400 "what is not JSON"
@@ -181,7 +184,9 @@ expect_value "a key of a slider is undone like a drag" "(async () => {
     return state.past.splice(before).length;
 })()" 3
 expect_value "a handle says its value" "document.querySelector('[data-name=toe]').getAttribute('aria-valuenow')" '"100"'
+expect_value "within its range" "[...document.querySelectorAll('.handle')].every(one => Number(one.getAttribute('aria-valuemin')) <= Number(one.getAttribute('aria-valuenow')) && Number(one.getAttribute('aria-valuenow')) <= Number(one.getAttribute('aria-valuemax')))" true
 expect_value "a variant beside it" "(find('name').value = 'steeper', find('keep').click(), document.querySelectorAll('#sections figure').length)" 2
+expect_value "columns of numbers have heads" "[...find('results').tHead.rows[0].cells].map(one => one.textContent).join()" '"result,now,steeper"'
 expect_value "by its name" "document.querySelectorAll('#sections figcaption')[1].textContent.startsWith('steeper: FS ')" true
 expect_value "two variants, the second without a name" "(async () => {
     find('restore').click();
@@ -215,6 +220,12 @@ expect_value "every control has a name" "[...document.querySelectorAll('button, 
 tell_browser Emulation.setDeviceMetricsOverride '{"width":390,"height":844,"deviceScaleFactor":1,"mobile":true}'
 expect_value "nothing is wider than a phone" "document.documentElement.scrollWidth <= 390" true
 [[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_phone.png"
+expect_value "the verdict is seen while the last slider is moved" "(() => {
+    [...document.querySelectorAll('#inputs details')].forEach(one => { one.open = true; });
+    [...state.inputs.values()].at(-1).slider.scrollIntoView({block: 'center'});
+    const {top, bottom} = find('verdict').getBoundingClientRect(), slider = [...state.inputs.values()].at(-1).slider.getBoundingClientRect();
+    return top >= 0 && bottom < find('picture').getBoundingClientRect().bottom && find('picture').getBoundingClientRect().bottom < slider.top;
+})()" true
 expect "the console is empty" test ! -s "$scratch/console"
 close_browser
 end_server
@@ -242,6 +253,127 @@ expect "the console is empty" test ! -s "$scratch/console"
 close_browser
 end_server
 
+title "labels and the map of the thesis's slope"
+serve "$source_folder/cases/plane_failure/fig_2_8.toml"
+open_browser 1400 900
+visit "$address"
+apart="(() => {
+    const boxes = [...document.querySelectorAll('#sections text.box')].map(one => one.getBBox());
+    return boxes.length > 1 && boxes.every((one, place) => boxes.slice(place + 1).every(other =>
+        one.x >= other.x + other.width || other.x >= one.x + one.width || one.y >= other.y + other.height || other.y >= one.y + one.height));
+})()"
+wait_for "document.querySelector('#chart svg .here')"
+expect_value "no label lies on another" "$apart" true
+expect_value "the map shows where there are answers" "(async () => {
+    const axis = name => { const [lower, upper] = sliderRange(state.inputs.get(name)); return {name, lower, upper}; };
+    const map = await ask('/map', {values: {}, x: axis(find('across').value), y: axis(find('up').value), output: 'factor_of_safety', columns: 48, rows: 36});
+    const share = one => one.values.flat().filter(value => value !== null).length / one.values.flat().length;
+    const [x, y] = closerRange(map, [find('across').value, find('up').value].map(valueOf));
+    const closer = await ask('/map', {values: {}, x: {name: find('across').value, ...x}, y: {name: find('up').value, ...y}, output: 'factor_of_safety', columns: 48, rows: 36});
+    return share(map) < 0.5 && share(closer) > 1.5 * share(map);
+})()" true
+tell_browser Emulation.setDeviceMetricsOverride '{"width":390,"height":844,"deviceScaleFactor":1,"mobile":true}'
+wait_for "find('sections').clientWidth < 390"
+expect_value "nor on a phone" "new Promise(done => setTimeout(done, 500)).then(() => $apart)" true
+expect "the console is empty" test ! -s "$scratch/console"
+close_browser
+end_server
+
+title "a support is designed as delabole run designs it"
+cp "$source_folder/cases/starting/support.toml" .
+"$program" run support.toml --no-report >plain.txt
+serve support.toml
+open_browser 1400 900
+visit "$address"
+wait_for "document.body && document.body.dataset.ready === 'yes'"
+said="[find('verdict').textContent, ...[...find('sentences').children].map(one => one.textContent)].join('|')"
+evaluate "$said"
+IFS='|' read -ra sentences <<<"${value//\"/}"
+expect "three sentences" test "${#sentences[@]}" == 3
+for sentence in "${sentences[@]}"; do
+    expect "run says '$sentence' too" contains plain.txt "$sentence"
+done
+expect_value "a pattern set by hand has no such sentence" "(async () => {
+    remember();
+    change({'support[1].rows': 1});
+    await refresh();
+    return find('sentences').firstChild.textContent.startsWith('The support is as set here');
+})()" true
+evaluate "(async () => { const {folder} = await ask('/report', {values: state.values}); return state.answer.verdict + '|' + folder; })()"
+IFS='|' read -r verdict folder <<<"${value//\"/}"
+expect "its report has that pattern: $verdict" contains "$folder/report.html" "$verdict"
+expect "and designs no other" refuse contains "$folder/report.html" "the cheapest for FS"
+expect_value "the cheapest is found again" "(async () => {
+    find('design').click();
+    while (!state.answer.verdict.startsWith('${sentences[0]}')) await new Promise(requestAnimationFrame);
+    return find('sentences').firstChild.textContent.startsWith('Of 180 patterns the cheapest');
+})()" true
+expect_value "and undone" "(async () => { find('undo').click(); await refresh(); return state.values['support[1].rows']; })()" 1
+"$program" run support.toml --no-report --set 'support[1].rows=5' --set 'support[1].spacing=2 m' --set 'support[1].length=8 m' >plain.txt
+expect "what --set gives is not chosen" refuse contains plain.txt patterns
+expect "the console is empty" test ! -s "$scratch/console"
+close_browser
+end_server
+
+title "a case whose report is in feet"
+{ cat "$source_folder/cases/starting/plane_failure.toml"; printf '\n[report]\nunits = "imperial"\n'; } >feet.toml
+serve feet.toml
+open_browser 1400 900
+visit "$address"
+wait_for "document.body && document.body.dataset.ready === 'yes'"
+expect_value "inputs are in feet" "state.inputs.get('slope.height').unit + ' ' + digits(valueOf('slope.height'))" '"ft 39.37"'
+expect_value "the crest's handle lies on the drawn crest, and follows the pointer" "(async () => {
+    const knob = () => { const box = document.querySelector('[data-name=crest]').getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; };
+    const [x, y] = knob(), at = (type, by) => new PointerEvent(type, {clientX: x + by, clientY: y - by, bubbles: true});
+    const crest = document.querySelector('#sections svg').toPicture([valueOf('slope.height') / Math.tan(Math.PI / 3), valueOf('slope.height')]);
+    const shown = document.querySelector('[data-name=crest] circle');
+    const off = Math.hypot(shown.getAttribute('cx') - crest[0], shown.getAttribute('cy') - crest[1]);
+    const old = state.answer;
+    document.querySelector('[data-name=crest]').dispatchEvent(at('pointerdown', 0));
+    window.dispatchEvent(at('pointermove', 20));
+    while (state.answer === old) await new Promise(requestAnimationFrame);
+    const [there, up] = knob();
+    window.dispatchEvent(at('pointerup', 20));
+    return off < 0.1 && Math.hypot(there - x - 20, up - y + 20) < 0.5;
+})()" true
+expect_value "the verdict is that of metres" "(async () => { goTo({}); await refresh(); return find('verdict').textContent; })()" '"FS 1.54: stands."'
+expect "the console is empty" test ! -s "$scratch/console"
+close_browser
+end_server
+
+title "an engineer's jobs take as many clicks as plots/README.md says"
+# job NAME CASE SCRIPT: the script, which may click and counts, answers "clicks|what is said".
+job() {
+    serve "$2"
+    open_browser 1400 900
+    visit "$address"
+    wait_for "document.body && document.body.dataset.ready === 'yes'"
+    evaluate "(async () => {
+        let clicks = 0;
+        const click = name => { ++clicks; find(name).click(); }, until = async holds => { while (!holds()) await new Promise(requestAnimationFrame); };
+        const text = () => ['verdict', 'sentences', 'findings'].map(name => find(name).textContent).join(' ');
+        $3
+        return clicks + '|' + text();
+    })()"
+    expect "$1: the console is empty" test ! -s "$scratch/console"
+    close_browser
+    end_server
+    clicks=$(sed -E 's/^"?([0-9]+)\|.*/\1/' <<<"$value")
+}
+study="click('ask-study'); await until(() => find('findings').children.length);"
+job "a road cut" "$source_folder/cases/plane_failure/bolted_road_cut.toml" "const told = text(); $study
+    if (!/FS 1.59.*cheapest for FS 1.5/.test(told)) return told;"
+expect "factor of safety and bolts at once, probability after a click: $value" grep -q 'Probability of failure ' <<<"$value"
+expect "one click" test "$clicks" == 1
+job "a toppling slope" "$source_folder/cases/stepped_base/goodman_bray_1976_cable.toml" ""
+expect "its cable: $value" grep -q 'kN/m' <<<"$value"
+expect "no click" test "$clicks" == 0
+job "a back-analysis" "$source_folder/cases/starting/fit.toml" "await until(() => document.querySelector('#chart svg .here')); $study"
+expect "its ranges: $value" grep -q 'friction angle 35.9 deg' <<<"$value"
+expect "one click" test "$clicks" == 1
+job "measured poles" "$source_folder/cases/kinematics/road_cut_poles.toml" "click('more'); await until(() => find('figures').children.length);"
+expect "all stereonets after one click" test "$clicks" == 1
+
 title "a slope cut by joints: its outline and joint sets are dragged, above the blocks"
 serve "$source_folder/cases/starting/jointed_slope.toml"
 open_browser 1400 900
@@ -259,6 +391,18 @@ evaluate "(async () => {
 })()"
 expect "a joint set turns, and the slope is cut anew" test "$value" == true
 expect_value "before they move they are said to be at the start" "find('verdict').textContent.startsWith('At the start')" true
+evaluate "(async () => {
+    goTo({});
+    await refresh();
+    find('play').click();
+    while (!motion.said) await new Promise(requestAnimationFrame);
+    await new Promise(done => setTimeout(done, 100));
+    find('play').click();
+    return find('verdict').textContent.replace('Failed: ', 'failed, ');
+})()"
+"$program" run "$source_folder/cases/starting/jointed_slope.toml" --out jointed --no-report >plain.txt
+expect "what happened is said as delabole run says it: $value" contains plain.txt "${value//\"/}"
+expect "it has failed" test "${value:0:9}" == '"failed, '
 expect "the console is empty" test ! -s "$scratch/console"
 close_browser
 end_server
@@ -284,7 +428,15 @@ evaluate "(async () => {
 })()"
 expect "time goes on and blocks move" test "$value" == true
 expect_value "the bolt comes with its force" "motion.picture.bolts.length === 6 && motion.picture.bolts[4] >= 0" true
-expect_value "the energy balance stands beside them" "find('energy').rows.length" 6
+expect_value "the energy balance has its lines" "find('energy').rows.length" 6
+expect_value "and stands beside them" "find('energy').getBoundingClientRect().left >= find('stage').getBoundingClientRect().right && find('energy').getBoundingClientRect().bottom <= 900" true
+expect_value "a variant of them is kept, with its picture" "(async () => {
+    find('name').value = 'first';
+    find('keep').click();
+    const shown = find('sections').querySelector('img');
+    await shown.decode();
+    return find('sections').textContent.startsWith('first, after ') && shown.naturalWidth;
+})()" 900
 evaluate "(async () => {
     const before = motion.picture.steps, name = [...state.inputs.keys()].find(one => one.endsWith('friction_angle'));
     change({[name]: 15});
@@ -294,6 +446,46 @@ evaluate "(async () => {
 })()"
 expect "friction changes while they move" test "$value" == true
 [[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_motion.png"
+expect "the console is empty" test ! -s "$scratch/console"
+close_browser
+end_server
+
+title "the water table of blocks in motion is drawn, and dragged while they move"
+cp "$source_folder/cases/starting/jointed_slope.toml" water.toml
+printf '%s\n' '[scene.water]' 'unit_weight = "9.81 kN/m3"' \
+    'vertex = [{ x = "0 m", y = "1 m" }, { x = "12 m", y = "4 m" }, { x = "20 m", y = "5 m" }]' >>water.toml
+serve water.toml
+open_browser 1400 900
+visit "$address"
+wait_for "document.body && document.body.dataset.ready === 'yes'"
+blue="(() => {
+    const canvas = find('blocks'), middle = axis => (valueOf('scene.water.vertex[1].' + axis) + valueOf('scene.water.vertex[2].' + axis)) / 2;
+    find('forces').checked = false;
+    drawBlocks();
+    const [x, y] = motion.view([middle('x'), middle('y')]).map(Math.round);
+    const [red, green, blue] = canvas.getContext('2d').getImageData(x, y, 1, 1).data;
+    return red === 86 && green === 180 && blue === 233;
+})()"
+expect_value "a blue line" "$blue" true
+expect_value "joint sets have their spokes" "document.querySelectorAll('#knobs .spoke').length" 2
+[[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_water.png"
+evaluate "(async () => {
+    find('play').click();
+    while (!(motion.picture.steps > 200)) await new Promise(requestAnimationFrame);
+    const seen = [...document.querySelectorAll('#knobs .handle')].filter(one => getComputedStyle(one).display !== 'none').map(one => one.dataset.name);
+    const before = motion.picture.steps, knob = document.querySelector('[data-name=\"scene.water.vertex[2]\"]'), box = knob.getBoundingClientRect();
+    const at = (type, by) => new PointerEvent(type, {clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 + by, bubbles: true});
+    knob.dispatchEvent(at('pointerdown', 0));
+    window.dispatchEvent(at('pointermove', -40));
+    while (!(state.values['scene.water.vertex[2].y'] > 4)) await new Promise(requestAnimationFrame);
+    window.dispatchEvent(at('pointerup', -40));
+    while (!(motion.picture.steps > before + 100)) await new Promise(requestAnimationFrame);
+    find('play').click();
+    await new Promise(done => setTimeout(done, 300));
+    return seen.join();
+})()"
+expect "of the handles those of the water stay: $value" test "$value" == '"scene.water.vertex[1],scene.water.vertex[2],scene.water.vertex[3]"'
+expect_value "the line is where it was dragged" "$blue" true
 expect "the console is empty" test ! -s "$scratch/console"
 close_browser
 end_server

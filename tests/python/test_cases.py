@@ -51,6 +51,11 @@ def test_settings_take_the_place_of_what_the_file_says(cases, program, tmp_path)
                                          "--set", "water.water_depth=20 m")
 
 
+def test_settings_that_are_wrong_are_called_settings(cases):
+    with pytest.raises(delabole.CaseError, match="^settings: slope.height"):
+        delabole.read(cases / "plane_failure/fig_2_8.toml", {"slope.height": "12 deg"})
+
+
 def test_answers_have_names_meanings_and_si_numbers(cases):
     result = delabole.read(cases / "plane_failure/fig_2_8.toml").run()
     assert result.status == "ok"

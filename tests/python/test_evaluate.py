@@ -89,9 +89,40 @@ def test_wrong_names_and_shapes_are_refused(case):
         case.evaluate({"strength.friction_angle": 0.5}, "factor")
     with pytest.raises(ValueError, match="shape"):
         case.evaluate({"strength.friction_angle": [0.5, 0.6], "water.water_depth": [1, 2, 3]})
-    with pytest.raises(ValueError):
-        case.evaluate({"strength.friction_angle": ["30 deg"]})
+    with pytest.raises(KeyError, match="did you mean strength.friction_angle"):
+        case.evaluate({"strength.frction_angle": 0.5})
+    with pytest.raises(ValueError, match="strength.friction_angle = '30 kPa'"):
+        case.evaluate({"strength.friction_angle": ["30 kPa"]})
     assert case.evaluate({"strength.friction_angle": []}).factor_of_safety.shape == (0,)
+
+
+def test_texts_have_units(case):
+    texts = case.evaluate({"strength.friction_angle": ["30 deg", np.radians(40)], "water.water_depth": "1 m"})
+    numbers = case.evaluate({"strength.friction_angle": np.radians([30, 40]), "water.water_depth": 1})
+    np.testing.assert_array_equal(texts.factor_of_safety, numbers.factor_of_safety)
+
+
+def test_a_datum_changes_no_factor(cases):
+    # Its elevations are asked for by another way than the factor alone.
+    case = delabole.read(cases / "plane_failure/fig_2_8.toml")
+    assert "slope.toe_elevation" in case.inputs
+    inputs = {
+        "slope.toe_elevation": case.inputs["slope.toe_elevation"] + np.linspace(-3, 3, 7)[:, None],
+        "strength.friction_angle": np.radians([20, 25]),
+    }
+    both = case.evaluate(inputs, ["factor_of_safety", "crack_base_elevation"])
+    alone = case.evaluate(inputs)
+    np.testing.assert_array_equal(both.factor_of_safety, alone.factor_of_safety)
+    np.testing.assert_array_equal(both.failure, alone.failure)
+    assert both["crack_base_elevation"].shape == (7, 2)
+
+
+@pytest.mark.parametrize("name", ["starting/support", "plane_failure/bolted_road_cut", "stepped_base/bolted_columns"])
+def test_a_case_that_designs_its_support_is_evaluated_with_it(cases, name):
+    case = delabole.read(cases / f"{name}.toml")
+    assert case.evaluate({}).factor_of_safety == case.run().factor_of_safety
+    rows = case.evaluate({"support[1].rows": [1, 2]}).factor_of_safety
+    assert rows.shape == (2,)
 
 
 def test_samples_are_those_of_the_program(cases):

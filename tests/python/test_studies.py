@@ -125,6 +125,12 @@ def test_a_study_finds_what_the_program_finds(cases, program, tmp_path, name):
     assert (np.diff(shares) >= 0).all() and shares[-1] == 1
 
 
+def test_progress_is_shown_where_it_is_true(case, capsys):
+    case.fit(progress=True)
+    shown = capsys.readouterr().err
+    assert "plane_failure: " in shown and shown.endswith(" %\r")
+
+
 def test_progress_is_told_in_the_callers_thread(case):
     told = []
     case.fit(progress=lambda share, what: told.append((share, what, threading.current_thread())))

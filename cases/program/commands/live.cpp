@@ -3,6 +3,7 @@
 #include "cases/program/live/server.hpp"
 #include "cases/program/reader/ordinary_file.hpp"
 #include "cases/program/results/impossible_case.hpp"
+#include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 
 #include <spawn.h>
@@ -37,6 +38,7 @@ ExitCode live_command(const std::filesystem::path& path, const Options& options)
     }
     CaseFile file = read_case(path, settings_of(options));
     refuse_impossible(file);
+    show_units_of(file);
     LiveSession session(file, read_ordinary_file(path, "a case file", largest_case_bytes).bytes,
                         [&](const std::vector<std::string>& settings) {
                             Options report = options;

@@ -1,7 +1,9 @@
 #include "cases/program/live/case_text.hpp"
 
 #include "cases/program/reader/document.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
+#include "cases/program/results/analysis.hpp"
 
 #include <algorithm>
 #include <array>
@@ -72,7 +74,9 @@ std::string in_unit(double value, Dimension dimension, std::string_view token) {
         std::array<char, 32> buffer{};
         const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value / one.value,
                                        std::chars_format::general, digits);
-        const std::string number(buffer.data(), end.ptr);
+        double rounded = 0;
+        std::from_chars(buffer.data(), end.ptr, rounded);
+        const std::string number = shortest_number(rounded);  // 20, where one digit makes 2e+01
         const ParsedQuantity back = read(number);
         if (back.status == QuantityStatus::ok && back.value == value) {
             return in_quotes ? delabole::in_quotes(written(number)) : number;
@@ -81,19 +85,61 @@ std::string in_unit(double value, Dimension dimension, std::string_view token) {
     return written_quantity(value, dimension);
 }
 
+struct Replacement {
+    Token token;
+    std::string by;
+};
+
+// `outline_file = "..."` with its key, whose points then stand in the case: `outline = [...]`. Nothing where the input
+// comes from no such file.
+std::optional<Replacement> points_instead_of_file(std::string_view text, const CaseFile& file,
+                                                  const std::vector<Condition>& values, const std::string& input) {
+    const std::string list = list_of(input);
+    const auto place = list.empty() ? file.places.end() : file.places.find(list + "_file");
+    if (place == file.places.end() || place->second.place.line == 0) {
+        return std::nullopt;
+    }
+    const Token name = token_at(text, offset_of(text, place->second.place));
+    const std::string key = list.substr(list.rfind('.') + 1);
+    const std::size_t begin = text.rfind(key + "_file", name.begin);
+    if (begin == std::string_view::npos) {
+        return std::nullopt;
+    }
+    std::string points = key + " = [\n";
+    const std::vector<Quantity> inputs = named_inputs(with_conditions(file.model, values));
+    for (std::size_t number = 1;; ++number) {
+        const std::string point = list + "[" + std::to_string(number) + "]";
+        const Quantity* x = find_quantity(inputs, point + ".x");
+        const Quantity* y = find_quantity(inputs, point + ".y");
+        if (x == nullptr || y == nullptr) {
+            break;
+        }
+        points += "    { x = " + written_quantity(x->value, x->dimension) +
+                  ", y = " + written_quantity(y->value, y->dimension) + " },\n";
+    }
+    if (!points.ends_with(",\n")) {
+        return std::nullopt;  // a file of something else
+    }
+    return Replacement{{begin, name.begin + name.size - begin}, points + "]"};
+}
+
 }  // namespace
 
 std::string with_values(std::string_view text, const CaseFile& file, const std::vector<Condition>& values) {
     const std::vector<Quantity> inputs = named_inputs(file.model);
-    struct Replacement {
-        Token token;
-        std::string by;
-    };
     std::vector<Replacement> replacements;
     for (const Condition& value : values) {
         const Quantity* input = find_quantity(inputs, value.input);
         const auto place = file.places.find(value.input);
         if (input == nullptr || place == file.places.end() || place->second.place.line == 0) {
+            const std::optional<Replacement> points = points_instead_of_file(text, file, values, value.input);
+            if (input != nullptr && points) {
+                const auto same = [&](const Replacement& other) { return other.token.begin == points->token.begin; };
+                if (std::ranges::none_of(replacements, same)) {
+                    replacements.push_back(*points);
+                }
+                continue;
+            }
             throw std::invalid_argument(value.input + " does not stand in the case file");
         }
         if (input->value != value.value) {

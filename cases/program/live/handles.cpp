@@ -39,6 +39,36 @@ void add(std::vector<Handle>& handles, std::string name, std::vector<std::string
     }
 }
 
+// The end of a line from `from` that rises at the dip towards +x, or at `turned` more.
+void add_spoke(const std::vector<Quantity>& inputs, std::vector<Handle>& handles, const std::string& name,
+               const std::string& input, const Point& from, double length, double turned = 0) {
+    if (const Quantity* dip = find_quantity(inputs, input)) {
+        const double angle = dip->value + turned;
+        add(handles, name, {input}, from + length * Point(std::cos(angle), std::sin(angle)));
+        handles.back().from = from;
+    }
+}
+
+// Of each pattern the lowest head, which stays on the face, and the end of its bolt.
+template <class Support>
+void add_support(const SlopeSection<>& slope, const std::vector<Support>& support, std::vector<Handle>& handles) {
+    for (std::size_t index = 0; index < support.size(); ++index) {
+        const BoltPattern<>& pattern = [&]() -> const BoltPattern<>& {
+            if constexpr (requires { support[index].pattern; }) {
+                return support[index].pattern;
+            } else {
+                return support[index];
+            }
+        }();
+        const std::string key = "support[" + std::to_string(index + 1) + "].";
+        const Point head(pattern.lowest_height / std::tan(slope.face_dip),
+                         pattern.lowest_height + slope.toe_elevation.value_or(0));
+        add(handles, "lowest bolt of support " + std::to_string(index + 1), {key + "lowest_height"}, head);
+        add(handles, "its end, support " + std::to_string(index + 1), {key + "length", key + "plunge"},
+            head + pattern.length * Point(std::cos(pattern.plunge), -std::sin(pattern.plunge)));
+    }
+}
+
 // m above the toe; nothing where the water has no level. Depths and ratios count from `bottom`.
 std::optional<double> level_of(const std::vector<Quantity>& inputs, double bottom, double top, double toe_elevation) {
     if (const Quantity* depth = find_quantity(inputs, "water.water_depth")) {
@@ -77,6 +107,7 @@ void add_handles(const PlaneFailureStudy<>& study, const std::vector<Quantity>& 
     const PlaneFailure<>& slope = study.model;
     const Point up(0, toe_of(slope.slope));
     add_slope(slope.slope, handles);
+    add_support(slope.slope, slope.support, handles);
     const WaterDiagram water = water_diagram(slope);
     if (water.base.surface.empty()) {
         return;
@@ -128,18 +159,51 @@ void add_row(const Blocks& blocks, const std::string& key, double dip, const std
 void add_handles(const SteppedBaseStudy<>& study, const std::vector<Quantity>& inputs, std::vector<Handle>& handles) {
     if (const auto* blocks = std::get_if<BlockColumns<>>(&study.model.scene.columns)) {
         const double toe = study.model.scene.slope ? toe_of(*study.model.scene.slope) : 0;
-        add_row(blocks->block, "columns.block", degrees(90) - blocks->joint_dip, "", toe, handles);
+        add_row(blocks->block, "columns.block", degrees(90) - blocks->joint_dip, "columns.joint_dip", toe, handles);
     }
     if (!study.model.scene.slope) {
         return;
     }
     const SlopeSection<>& slope = *study.model.scene.slope;
     add_slope(slope, handles);
+    add_support(slope, study.model.scene.support, handles);
+    if (const Quantity* inclination = find_quantity(inputs, "columns.base_inclination")) {
+        const Point toe(0, toe_of(slope));
+        const Point along(std::cos(inclination->value), std::sin(inclination->value));
+        add_spoke(inputs, handles, "base", inclination->name, toe, slope.height);
+        // Joints go up and out of the slope.
+        const Quantity& dip = *find_quantity(inputs, "columns.joint_dip");
+        const Point foot = toe + slope.height / 2 * along;
+        add(handles, "joints", {dip.name},
+            foot + 0.3 * slope.height * Point(-std::cos(dip.value), std::sin(dip.value)));
+        handles.back().from = foot;
+    }
     if (const std::optional<double> level = level_of(inputs, 0, slope.height, toe_of(slope))) {
         add(handles, "water level",
             first_of(inputs, {"water.water_depth", "water.water_elevation", "water.filled_ratio"}),
             Point(0, *level + toe_of(slope)));
     }
+}
+
+// Dips are positive out of the slope. The lines of steep sets stand behind the crest.
+void add_handles(const SteppedPath& path, const std::vector<Quantity>& inputs, std::vector<Handle>& handles) {
+    const SlopeSection<>& slope = path.slope;
+    add_slope(slope, handles);
+    const Point toe(0, toe_of(slope));
+    const Point behind = toe + slope.height * Point(1 / std::tan(slope.face_dip) + 0.3, 0.6);
+    const double length = 0.3 * slope.height;
+    add_spoke(inputs, handles, "steps", "steps.dip", toe, 2 * length);
+    add_spoke(inputs, handles, "risers", "risers.dip", behind, length);
+    add_spoke(inputs, handles, "columns", "columns.dip", behind, length, degrees(180));
+}
+
+void add_handles(const SingleBlock<>& problem, const std::vector<Quantity>&, std::vector<Handle>& handles) {
+    const double inclination = problem.base.inclination;
+    const Point along(std::cos(inclination), std::sin(inclination));
+    const Point up(-along.y(), along.x());
+    add(handles, "corner", {"block.width", "block.height"}, problem.block.width * along + problem.block.height * up);
+    add(handles, "base", {"base.inclination"},
+        (problem.block.width + 0.5 * std::max(problem.block.width, problem.block.height)) * along);
 }
 
 // Poles on the net of the figure.
@@ -189,8 +253,8 @@ void add_sets(const RelaxationSlope& slope, const std::vector<Quantity>& inputs,
         const Quantity* dip = find_quantity(inputs, key + ".dip");
         const Quantity* spacing = find_quantity(inputs, key + ".spacing");
         if (dip != nullptr && spacing != nullptr) {
-            add(handles, "joint set " + slope.geometry.cut[index].name, {key + ".dip"},
-                box.center() + length * Point(std::cos(dip->value), std::sin(dip->value)));
+            add_spoke(inputs, handles, "joint set " + slope.geometry.cut[index].name, key + ".dip", box.center(),
+                      length);
         }
     }
 }
@@ -200,6 +264,14 @@ void add_handles(const RelaxationStudy& study, const std::vector<Quantity>& inpu
         add_sets(*slope, inputs, handles);
     } else if (const auto* row = std::get_if<RelaxationRow>(&study.model.scene)) {
         add_row(row->block, "scene.block", 0, "", 0, handles);
+    }
+    for (std::size_t index = 0; index < study.model.bolt.size(); ++index) {
+        const std::string key = "bolt[" + std::to_string(index + 1) + "]";
+        const auto& bolt = study.model.bolt[index];
+        const Point head(bolt.head_x, bolt.head_y);
+        add(handles, "head of " + key, {key + ".head_x", key + ".head_y"}, head);
+        add(handles, "end of " + key, {key + ".length", key + ".plunge"},
+            head + bolt.length * Point(std::cos(bolt.plunge), -std::sin(bolt.plunge)));
     }
 }
 

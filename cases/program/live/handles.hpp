@@ -4,6 +4,7 @@
 #include "cases/program/case/case_file.hpp"
 #include "geometry/polyline.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,14 @@ struct Handle {
     Point at;                         // m, in the axes of the section's figure
     // The point from which all others are measured: a drag leaves these where they are seen.
     bool is_origin = false;
+    std::optional<Point> from{};  // the other end of a line that has the dip which the handle turns
 };
 
 // Toe (the origin of the section: where it has no elevation, a drag leaves the crest in its place), crest, bench,
 // failure plane, tension crack and water level of a slope, as far as the model has them; the tops of blocks and columns
-// that are given one by one; joint sets of a section; and every point that is given by two lengths x and y: corners of
-// outlines, of water tables and of lines. On a stereonet the poles of face and joint sets, and the friction circle.
-// Empty for an impossible slope.
+// that are given one by one; the base and joints of columns, the joint sets of a section; rows and ends of bolts; and
+// every point that is given by two lengths x and y: corners of outlines, of water tables and of lines. On a stereonet
+// the poles of face and joint sets, and the friction circle. Empty for an impossible slope.
 std::vector<Handle> handles_of(const CaseModel& model);
 
 // Values of the handle's inputs with which it comes nearest to the point, by Gauss-Newton steps within the ranges of

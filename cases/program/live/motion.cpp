@@ -1,6 +1,8 @@
 #include "cases/program/live/motion.hpp"
 
+#include "cases/program/results/model_reports.hpp"
 #include "dynamic_relaxation/step/history.hpp"
+#include "dynamic_relaxation/study/study_run.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +13,7 @@ namespace delabole {
 
 namespace {
 
-// Nothing but its user ends a motion on the page.
+// Once it is decided, nothing but its user ends a motion on the page.
 RelaxationSettings endless(RelaxationSettings settings) {
     settings.stop_at_onset = settings.stop_at_equilibrium = settings.stop_at_collapse = false;
     settings.duration = 1e9;
@@ -47,9 +49,9 @@ class Floats {
 
 }  // namespace
 
-LiveMotion::LiveMotion(const RelaxationStudy& study) {
+LiveMotion::LiveMotion(const RelaxationStudy& study) : study_(study) {
     const RelaxationScene scene = relaxation_scene(study);
-    simulation_.emplace(scene, endless(relaxation_settings(study, scene)));
+    simulation_.emplace(scene, relaxation_settings(study, scene));
 }
 
 Json LiveMotion::blocks() const {
@@ -68,7 +70,6 @@ Json LiveMotion::blocks() const {
     }
     return {{"blocks", std::move(blocks)},
             {"centres", std::move(centres)},
-            {"outcomes", enum_names(RelaxationOutcome{})},
             {"tilt", simulation_->tilt()},
             {"mass", std::accumulate(mass.begin(), mass.end(), 0.0) / static_cast<double>(mass.size())}};
 }
@@ -77,10 +78,37 @@ void LiveMotion::go_on(std::uint64_t most_steps, std::chrono::milliseconds time)
     const auto end = std::chrono::steady_clock::now() + time;
     for (std::uint64_t step = 0; step < most_steps && !is_broken_off(simulation_->outcome()); ++step) {
         simulation_->step();
+        if (!verdict_ && !simulation_->running()) {
+            decide();
+        }
         if (std::chrono::steady_clock::now() >= end) {
             return;
         }
     }
+}
+
+void LiveMotion::decide() {
+    RelaxationStudyAnswer answer;
+    answer.run = ended_at(study_, *simulation_);
+    verdict_ = head_card(study_, answer);
+    collapsed_ = simulation_->outcome() == RelaxationOutcome::collapse;
+    ++decisions_;
+    if (!is_broken_off(simulation_->outcome())) {
+        RelaxationState state = simulation_->state();
+        state.outcome = static_cast<std::uint64_t>(RelaxationOutcome::undecided);
+        const RelaxationScene scene = simulation_->scene();
+        const RelaxationSettings settings = endless(simulation_->settings());
+        simulation_.emplace(scene, settings, std::move(state));
+    }
+}
+
+Json LiveMotion::verdict() const {
+    if (!verdict_) {
+        return Json::object();
+    }
+    return {{"verdict", verdict_->sentences.front()},
+            {"sentences", std::vector<std::string>(verdict_->sentences.begin() + 1, verdict_->sentences.end())},
+            {"over", is_broken_off(simulation_->outcome())}};
 }
 
 bool LiveMotion::change(const RelaxationStudy& study) {
@@ -93,9 +121,24 @@ bool LiveMotion::change(const RelaxationStudy& study) {
     // about is none of the joints that were closed in the initial geometry.
     ContactWatch::start(scene.block.size(), state.watch);
     state.watch.searches = 1;
+    for (WatchedPair& pair : state.watch.pair) {
+        pair.holds = 0;  // else the contacts of blocks at rest keep their laws
+    }
     state.outcome = static_cast<std::uint64_t>(RelaxationOutcome::undecided);
     std::ranges::fill(state.checks_at_rest, 0);
-    const RelaxationSettings settings = simulation_->settings();
+    // Contacts of blocks at rest are not evaluated until something is noticed of these.
+    for (std::size_t block = 0; block < state.motion.size(); ++block) {
+        state.noticed.notice(block, state.motion[block]);
+    }
+    study_ = study;
+    RelaxationSettings settings = relaxation_settings(study, scene);
+    settings.duration += state.time;
+    settings.most_steps += static_cast<std::size_t>(state.steps);
+    if (collapsed_) {
+        settings = endless(settings);  // what lies in ruins stays there
+    } else {
+        verdict_.reset();
+    }
     simulation_.emplace(scene, settings, std::move(state));
     return true;
 }
@@ -111,10 +154,11 @@ std::string LiveMotion::picture() const {
     constexpr std::uint64_t float_holds = std::uint64_t{1} << 24U;
     for (const double value :
          {state.time, static_cast<double>(state.steps / float_holds), static_cast<double>(state.steps % float_holds),
-          static_cast<double>(simulation_->outcome()), ledger.applied, ledger.kinetic, ledger.elastic, ledger.friction,
-          ledger.dashpots + ledger.local_damping + ledger.kinetic_damping, ledger.residual(),
-          std::max(state.unbalanced, state.unbalanced_then), static_cast<double>(state.motion.size()),
-          static_cast<double>(forces.size()), static_cast<double>(bolts.size())}) {
+          verdict_ ? static_cast<double>(decisions_) : 0.0, state.onset_time, ledger.applied, ledger.kinetic,
+          ledger.elastic, ledger.friction, ledger.dashpots + ledger.local_damping + ledger.kinetic_damping,
+          ledger.residual(), std::max(state.unbalanced, state.unbalanced_then),
+          static_cast<double>(state.motion.size()), static_cast<double>(forces.size()),
+          static_cast<double>(bolts.size())}) {
         floats.add(value);
     }
     for (const Motion& motion : state.motion) {

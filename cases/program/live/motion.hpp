@@ -16,25 +16,38 @@ class LiveMotion {
     // The scene must be valid: see check() of relaxation_study.hpp.
     explicit LiveMotion(const RelaxationStudy& study);
 
-    // Outlines and centroids in the section, which blocks are fixed, the words for outcomes, and the tilt of gravity.
+    // Outlines and centroids in the section, which blocks are fixed, and the tilt of gravity.
     Json blocks() const;
 
-    // Goes on until the run ends, `most_steps` are made, or the time is up.
+    // Goes on until the blocks cannot be followed further, `most_steps` are made, or the time is up. Where a run of the
+    // study would end, its verdict is noted, and the blocks move on.
     void go_on(std::uint64_t most_steps, std::chrono::milliseconds time);
 
+    // {verdict, sentences, over}: how the run of the study ended, in the words of its report, and whether the blocks
+    // cannot be followed further. An empty object where it has not ended yet.
+    Json verdict() const;
+
     // Strength and loads are those of another study of the same blocks from now on; contacts keep what they have
-    // endured. False, and nothing changes, where the blocks are not the same.
+    // endured, and unless they have collapsed the verdict is found anew, within as much time as the study has. False,
+    // and nothing changes, where the blocks are not the same.
     bool change(const RelaxationStudy& study);
 
-    // Where everything is, as little-endian 32-bit floats: time in s, steps, number of the outcome among
-    // enum_names(RelaxationOutcome), applied work, kinetic, elastic, friction, damping and residual energy in J/m,
-    // unbalanced ratio, numbers of blocks, of forces and of bolts; then x, y and angle of each block since the start
-    // (m, rad), of each contact force its place (m) and components (N/m), and of each bolt that pulls, at every joint
-    // where it does, its ends (m), its force (N/m), and by how much it has yielded (m).
+    // Where everything is, as little-endian 32-bit floats: time in s, steps, the number of verdicts so far (0 where it
+    // is open), the time in s at which a block passed the thresholds of failure (negative: none), applied work,
+    // kinetic, elastic, friction, damping and residual energy in J/m, unbalanced ratio, numbers of blocks, of forces
+    // and of bolts; then x, y and angle of each block since the start (m, rad), of each contact force its place (m) and
+    // components (N/m), and of each bolt that pulls, at every joint where it does, its ends (m), its force (N/m), and
+    // by how much it has yielded (m).
     std::string picture() const;
 
   private:
+    void decide();
+
+    RelaxationStudy study_;
     std::optional<Simulation> simulation_;
+    std::optional<HeadCard> verdict_;
+    bool collapsed_ = false;
+    std::size_t decisions_ = 0;
 };
 
 }  // namespace delabole

@@ -8,6 +8,8 @@
 #include <array>
 #include <chrono>
 #include <future>
+#include <iostream>
+#include <mutex>
 #include <random>
 #include <string_view>
 #include <thread>
@@ -79,6 +81,10 @@ struct LiveServer::Parts {
 
     explicit Parts(LiveSession& served) : session(served) {}
 
+    std::mutex telling;
+    std::chrono::steady_clock::time_point told{};
+    int untold = 0;
+
     std::string host() const { return "127.0.0.1:" + std::to_string(port); }
 
     // Whether the request may be answered at all.
@@ -103,6 +109,27 @@ struct LiveServer::Parts {
             }
         }
         return true;
+    }
+
+    // Of what the page itself is refused, its user reads on the page. What the rest says is not repeated: it may be
+    // anything.
+    void tell_of(const httplib::Response& response) {
+        using std::chrono_literals::operator""s;
+        const std::scoped_lock lock(telling);
+        const auto now = std::chrono::steady_clock::now();
+        if (now - told < 1s) {
+            ++untold;
+            return;
+        }
+        std::cerr << "delabole: a request was refused with status " << response.status
+                  << (response.status == 403   ? ": it came from another page or under another name"
+                      : response.status == 401 ? ": it had not the token"
+                      : response.status == 413
+                          ? ": it was longer than " + std::to_string(largest_request >> 10U) + " kB"
+                          : "")
+                  << (untold > 0 ? ", after " + std::to_string(untold) + " others" : "") << '\n';
+        told = now;
+        untold = 0;
     }
 
     using Answer = std::function<void(const Json& request, httplib::Response& response)>;
@@ -154,6 +181,11 @@ struct LiveServer::Parts {
             return admits(request, response) ? httplib::Server::HandlerResponse::Unhandled
                                              : httplib::Server::HandlerResponse::Handled;
         });
+        server.set_logger([this](const httplib::Request&, const httplib::Response& response) {
+            if (response.status > 400) {
+                tell_of(response);
+            }
+        });
         server.set_exception_handler([](const httplib::Request&, httplib::Response& response, std::exception_ptr) {
             refuse(response, 500, "stopped by an error that lies neither in the case nor in the request");
         });
@@ -166,9 +198,11 @@ struct LiveServer::Parts {
         answer_json("/map", &LiveSession::map);
         answer_json("/fit", &LiveSession::fit);
         answer_json("/study", &LiveSession::study);
+        answer_json("/support", &LiveSession::support);
         answer_json("/save", &LiveSession::save);
         answer_json("/report", &LiveSession::report);
         answer_json("/motion/start", &LiveSession::start_motion);
+        answer_json("/motion/verdict", &LiveSession::verdict_of_motion);
         answer_json("/motion/change", &LiveSession::change_motion);
         answer("/motion/step", [this](const Json& request, httplib::Response& response) {
             response.set_content(session.step_motion(request), "application/octet-stream");

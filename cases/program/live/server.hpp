@@ -3,7 +3,8 @@
 // What it refuses, each with a status of its own: a Host that is not this address (403: another name that leads here,
 // DNS rebinding), an Origin that is not this page (403: a page from elsewhere), a request without the token (401), a
 // body of more than 256 kB (413), what is not JSON or not what a request may ask, a body or an answer in parts or
-// compressed (400), any other path (404). Who is not admitted is refused before the body is read. A connection that
+// compressed (400), any other path (404). Of all but 400, which the page shows, a line is said on the standard error,
+// at most one a second. Who is not admitted is refused before the body is read. A connection that
 // says nothing for 1 s is closed, and at most eight are served at a time.
 #pragma once
 

@@ -8,54 +8,27 @@
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/model_reports.hpp"
+#include "cases/program/sweeps/support_report.hpp"
 #include "fitting/mechanism/misfit.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
+#include "plots/report/shown_units.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <type_traits>
 
 namespace delabole {
 
 namespace {
 
 constexpr std::size_t most_handles = 60;  // more would cover the section
-constexpr std::size_t most_map_points = 40'000;
-constexpr std::chrono::seconds longest_map{3};
+constexpr std::chrono::seconds longest_design{3};
 constexpr int longest_motion = 1000;  // ms, of one request
 constexpr std::size_t most_live_blocks = 20'000;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-
-// The member, of the type that is asked for.
-template <class Type>
-Type member(const Json& json, const char* name) {
-    const auto found = json.is_object() ? json.find(name) : json.end();
-    if (!json.is_object() || found == json.end()) {
-        throw LiveRefusal(std::string("the request has no '") + name + "'");
-    }
-    const LiveRefusal wrong_kind(std::string("'") + name + "' of the request is of the wrong kind");
-    if (std::is_integral_v<Type> && !found->is_number_integer()) {
-        throw wrong_kind;  // 1e300 has no int that it could become
-    }
-    try {
-        return found->get<Type>();
-    } catch (const Json::exception&) {
-        throw wrong_kind;
-    }
-}
-
-template <class Type>
-Type member_or(const Json& json, const char* name, Type otherwise) {
-    return json.is_object() && json.contains(name) ? member<Type>(json, name) : otherwise;
-}
-
-Json finite(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 // "strength" of "strength.friction_angle", "bolt[1]" of "bolt[1].force"; "case" for what stands in no section. All
 // members of a long list are one group.
@@ -79,12 +52,12 @@ std::string label_of(const std::string& group, const CaseFile& file) {
 }
 
 Json described(const Quantity& input, const std::string& group, const CaseFile& file) {
-    const auto shown = [&](double value) { return in_display_unit(value, input.dimension); };
+    const auto shown = [&](double value) { return in_shown_unit(value, input.dimension); };
     const auto source = file.sources.find(input.name);
     const bool is_listed = input.name.starts_with(group + "[");  // which member it is of has to be told
     return {{"name", input.name},
             {"label", human_name(input.name.substr((is_listed ? group : input.name).rfind('.') + 1))},
-            {"unit", std::string(display_unit(input.dimension).symbol)},
+            {"unit", std::string(shown_unit(input.dimension).symbol)},
             {"value", shown(input.value)},
             {"lower", finite(shown(input.range.lower))},
             {"upper", finite(shown(input.range.upper))},
@@ -114,6 +87,9 @@ Json json_of_handles(const CaseModel& model) {
                                {"inputs", handle.inputs},
                                {"at", Json::array({handle.at.x(), handle.at.y()})},
                                {"is_origin", handle.is_origin}});
+            if (handle.from) {
+                handles.back()["from"] = Json::array({handle.from->x(), handle.from->y()});
+            }
         }
     }
     return handles;
@@ -122,62 +98,23 @@ Json json_of_handles(const CaseModel& model) {
 // Ends the walk through a report's figures after the first.
 struct EnoughFigures {};
 
-const Quantity& input_named(const std::vector<Quantity>& inputs, const std::string& name) {
-    const Quantity* found = find_quantity(inputs, name);
-    if (found == nullptr) {
-        throw LiveRefusal("the case has no input '" + name + "'");
+// Puts the support that a run designs into the model.
+DesignedSupport designed_support(CaseFile& file) {
+    const auto end = std::chrono::steady_clock::now() + longest_design;
+    bool over = false;
+    std::optional<DesignedSupport> support = design_support_of(file, [&](double) {
+        over = std::chrono::steady_clock::now() > end;
+        return !over;
+    });
+    if (!support) {
+        throw LiveRefusal("the case has no [support_design]");
     }
-    return *found;
-}
-
-struct MapAxis {
-    std::size_t input;
-    std::vector<double> values;  // SI
-    double unit;
-};
-
-MapAxis axis_of_map(const Json& request, const char* name, const char* count, const std::vector<Quantity>& inputs) {
-    const Json axis = member<Json>(request, name);
-    const auto input = member<std::string>(axis, "name");
-    const Quantity& quantity = input_named(inputs, input);
-    const int points = member<int>(request, count);
-    if (points < 2 || points > 200) {
-        throw LiveRefusal("a map has 2 to 200 rows and columns");
+    if (over) {
+        throw LiveRefusal("the patterns of [support_design] take longer than " +
+                          std::to_string(longest_design.count()) +
+                          " s: the support is as the case has it, delabole run designs it");
     }
-    MapAxis made{*place_of(inputs, input), {}, display_unit(quantity.dimension).si_per_unit};
-    const auto lower = member<double>(axis, "lower");
-    const auto upper = member<double>(axis, "upper");
-    if (!std::isfinite(lower) || !std::isfinite(upper)) {
-        throw LiveRefusal("the ends of a map are numbers");
-    }
-    for (const double value : spaced_values(lower, upper, points)) {
-        made.values.push_back(value * made.unit);
-    }
-    return made;
-}
-
-// Row by row; null where there is no value, or no more time.
-Json over_grid(const MapAxis& x, const MapAxis& y, const std::function<double(double across, double up)>& value) {
-    if (x.values.size() * y.values.size() > most_map_points) {
-        throw LiveRefusal("a map has at most " + std::to_string(most_map_points) + " points");
-    }
-    const auto end = std::chrono::steady_clock::now() + longest_map;
-    const auto in_units = [](const MapAxis& axis) {
-        Json values = Json::array();
-        for (const double at : axis.values) {
-            values.push_back(at / axis.unit);
-        }
-        return values;
-    };
-    Json rows = Json::array();
-    for (const double up : y.values) {
-        Json row = Json::array();
-        for (const double across : x.values) {
-            row.push_back(std::chrono::steady_clock::now() < end ? finite(value(across, up)) : Json(nullptr));
-        }
-        rows.push_back(std::move(row));
-    }
-    return {{"x", in_units(x)}, {"y", in_units(y)}, {"values", std::move(rows)}};
+    return std::move(*support);
 }
 
 std::optional<FitProblem> fit_of(const CaseFile& file) {
@@ -215,9 +152,9 @@ std::vector<Condition> LiveSession::conditions(const Json& request) const {
         }
         const auto shown = value.get<double>();
         // A value shown as the case's own is that value, to the last bit.
-        const double si = shown == in_display_unit(input.value, input.dimension)
+        const double si = shown == in_shown_unit(input.value, input.dimension)
                               ? input.value
-                              : shown * display_unit(input.dimension).si_per_unit;
+                              : shown * shown_unit(input.dimension).si_per_unit;
         if (!std::isfinite(si) || !input.range.contains(si)) {
             throw LiveRefusal(name + " = " + readable_quantity(si, input.dimension) + ": must be " +
                               readable_range(input.range, input.dimension));
@@ -254,12 +191,14 @@ Json LiveSession::open() const {
               {"description", file_.description},
               {"model", std::string(model_name(file_.model))},
               {"moves", moves},
+              {"metre", 1 / shown_unit(Dimension::length).si_per_unit},
               {"studies", has_study(file_, fit_)},
+              {"designs_support", file_.support_design.has_value()},
               {"groups", std::move(groups)}};
     if (fit_) {
         for (const FreeParameter& free : fit_->mechanisms.front().parameters) {
-            json["fit"][free.name] = {in_display_unit(free.lower, free.dimension),
-                                      in_display_unit(free.upper, free.dimension)};
+            json["fit"][free.name] = {in_shown_unit(free.lower, free.dimension),
+                                      in_shown_unit(free.upper, free.dimension)};
         }
     }
     if (moves || find_quantity(interface_of(file_.model).outputs, "factor_of_safety") == nullptr) {
@@ -302,7 +241,11 @@ Json LiveSession::answer_to(const CaseModel& model, bool all_figures) const {
     json["warnings"] = analysis.warnings;
     Report ignored;
     const ResultFolder figures([&](const Figure& figure, const std::string& caption) {
-        json["figures"].push_back(json_of(figure));
+        const Figure shown = in_shown_units(figure);
+        if (json["figures"].empty()) {
+            json["metre"] = shown.x.unit == figure.x.unit ? 1 : 1 / shown_unit(Dimension::length).si_per_unit;
+        }
+        json["figures"].push_back(json_of(shown));
         json["figures"].back()["caption"] = caption;
         if (!all_figures) {
             throw EnoughFigures();
@@ -340,7 +283,7 @@ Json LiveSession::drag(const Json& request) const {
     Json json = answer_to(with_conditions(before, moved), false);
     for (const Condition& condition : moved) {
         json["values"][condition.input] =
-            in_display_unit(condition.value, find_quantity(inputs_, condition.input)->dimension);
+            in_shown_unit(condition.value, find_quantity(inputs_, condition.input)->dimension);
     }
     return json;
 }
@@ -415,6 +358,38 @@ Json LiveSession::study(const Json& request) const {
     }
 }
 
+Json LiveSession::support(const Json& request) const {
+    CaseFile changed = file_;
+    changed.model = model(request);
+    const DesignedSupport designed = designed_support(changed);
+    const std::vector<Quantity> inputs = named_inputs(changed.model);
+    Json json{{"sentence", designed.sentence}, {"values", Json::object()}};
+    for (const SupportChoice& choice : designed.design.choices) {
+        const Quantity& input = input_named(inputs, choice.input);
+        json["values"][input.name] = in_shown_unit(input.value, input.dimension);
+    }
+    return json;
+}
+
+// What [support_design] may choose, where it is not as a run would choose it; within rounding, since the page has its
+// values in display units.
+std::vector<Condition> LiveSession::chosen_support(const std::vector<Condition>& conditions) const {
+    CaseFile designed = file_;
+    designed.model = with_conditions(file_.model, conditions);
+    const std::vector<Quantity> asked = named_inputs(designed.model);
+    const DesignedSupport support = designed_support(designed);
+    const std::vector<Quantity> found = named_inputs(designed.model);
+    constexpr double rounding = 1e-9;
+    bool same = true;
+    std::vector<Condition> chosen;
+    for (const SupportChoice& choice : support.design.choices) {
+        chosen.push_back({choice.input, input_named(asked, choice.input).value, choice.dimension});
+        const double value = chosen.back().value;
+        same = same && std::abs(value - input_named(found, choice.input).value) <= rounding * std::abs(value);
+    }
+    return same ? std::vector<Condition>() : chosen;
+}
+
 Json LiveSession::save(const Json& request) const {
     try {
         return {{"toml", with_values(text_, file_, conditions(request))}};
@@ -425,7 +400,16 @@ Json LiveSession::save(const Json& request) const {
 
 Json LiveSession::report(const Json& request) {
     std::vector<std::string> settings;
-    for (const Condition& condition : conditions(request)) {
+    std::vector<Condition> values = conditions(request);
+    if (file_.support_design) {
+        const std::vector<Condition> chosen = chosen_support(values);
+        std::erase_if(values, [&](const Condition& value) {
+            return std::ranges::find(file_.support_design->choices, value.input, &SupportChoice::input) !=
+                   file_.support_design->choices.end();
+        });
+        values.insert(values.end(), chosen.begin(), chosen.end());
+    }
+    for (const Condition& condition : values) {
         settings.push_back(condition.input + "=" +
                            written_quantity(condition.value, find_quantity(inputs_, condition.input)->dimension));
     }
@@ -465,6 +449,14 @@ std::string LiveSession::step_motion(const Json& request) {
     }
     motion_->go_on(steps, std::chrono::milliseconds(time));
     return motion_->picture();
+}
+
+Json LiveSession::verdict_of_motion(const Json& /*request*/) {
+    const std::scoped_lock lock(moving_);
+    if (!motion_) {
+        throw LiveRefusal("nothing has been set in motion");
+    }
+    return motion_->verdict();
 }
 
 Json LiveSession::change_motion(const Json& request) {

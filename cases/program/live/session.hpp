@@ -4,6 +4,7 @@
 
 #include "cases/program/case/case_file.hpp"
 #include "cases/program/live/motion.hpp"
+#include "cases/program/live/request.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/options.hpp"
 #include "fitting/posterior/fit_problem.hpp"
@@ -12,17 +13,10 @@
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace delabole {
-
-// What the page has asked for cannot be done; the text is for its user.
-class LiveRefusal : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 // Requests carry `values`: inputs by their names in display units, those that differ from the case's. All functions may
 // be called from several threads at a time. LiveRefusal where a request has not the form that its function describes,
@@ -35,7 +29,8 @@ class LiveSession {
     LiveSession(CaseFile file, std::string text, WriteReport write_report);
 
     // The case: title, description, model, groups of inputs with unit, value, range, meaning and source; names of the
-    // two inputs of the map; whether blocks can be set in motion, and the bounds of what a fit leaves free.
+    // two inputs of the map; whether blocks can be set in motion and a support is designed, and the bounds of what a
+    // fit leaves free.
     Json open() const;
 
     // {values, figures}: results, warnings, handles, and of the report's figures the first one, or with
@@ -57,22 +52,30 @@ class LiveSession {
     // {values}: what the case's [sensitivity] and [fit] say of the slope, in sentences: see studied().
     Json study(const Json& request) const;
 
+    // {values}, of a case with [support_design]: the values of the support that a run of this slope designs, and what
+    // its report says of it.
+    Json support(const Json& request) const;
+
     // {values}: the case's text with these values.
     Json save(const Json& request) const;
 
-    // {values}: the folder into which the usual report was written.
+    // {values}: the folder into which the usual report was written, of a support that was chosen by hand as of that
+    // which the run designs.
     Json report(const Json& request);
 
     // {values}: the blocks, with which a motion begins.
     Json start_motion(const Json& request);
     // {milliseconds} or {steps}: what has moved by then; see LiveMotion::picture.
     std::string step_motion(const Json& request);
+    // How it has ended, see LiveMotion::verdict.
+    Json verdict_of_motion(const Json& request);
     // {values}: strength, water and other loads from now on.
     Json change_motion(const Json& request);
 
   private:
     std::vector<Condition> conditions(const Json& request) const;
     CaseModel model(const Json& request) const;
+    std::vector<Condition> chosen_support(const std::vector<Condition>& conditions) const;
     Json answer_to(const CaseModel& model, bool all_figures) const;
 
     const CaseFile file_;

@@ -125,7 +125,14 @@ std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::func
     if (!file.support_design) {
         return std::nullopt;
     }
-    const SupportDesign& design = *file.support_design;
+    SupportDesign design = *file.support_design;
+    std::erase_if(design.choices, [&](const SupportChoice& choice) {
+        const auto written = file.places.find(choice.input);
+        return written != file.places.end() && written->second.place.from_option;
+    });
+    if (design.choices.empty()) {
+        return std::nullopt;
+    }
     DesignedSupport support{design, design_support(interface_of(file.model), design, watch), {}};
     support.sentence = sentence_of(design, support.found, without_support_in_words(file.model));
     if (const TriedSupport* answer = answer_of(support.found)) {

@@ -17,7 +17,8 @@ struct DesignedSupport {
 };
 
 // Puts into the case's model the cheapest support, or the strongest if none reaches the factor of safety. If no pattern
-// has an answer the model keeps its own support. Returns nothing if the case has no [support_design].
+// has an answer the model keeps its own support. What --set gives is not chosen. Returns nothing if there is nothing to
+// choose.
 std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::function<bool(double)>& watch);
 
 // Adds the sentence after the verdict, which is the first.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Optional, Union
 
@@ -13,7 +14,8 @@ from . import _delabole
 from .fields import Quantity, Section
 from .results import Evaluation, Fit, Result, Sensitivity
 
-Progress = Optional[Callable[[float, str], None]]
+Told = Optional[Callable[[float, str], None]]
+Progress = Union[Told, bool]
 Settings = Mapping[str, Quantity]
 
 
@@ -21,7 +23,7 @@ class Case:
     """A case, as it was read: it does not change.
 
     Made by read(), parse(), case() and Model.case(). Long work tells its progress by calling progress(share, what),
-    share from 0 to 1, lets other threads of Python run, and ends at Ctrl-C with KeyboardInterrupt.
+    share from 0 to 1, or with progress=True by a line on the screen, lets other threads of Python run, and ends at Ctrl-C with KeyboardInterrupt.
     """
 
     def __init__(self, made: _delabole.Case) -> None:
@@ -79,7 +81,7 @@ class Case:
 
     def run(self, *, threads: int = 1, progress: Progress = None) -> Result:
         """What `delabole run` answers, to the last bit. CaseError for a slope that cannot be."""
-        return Result(self._case.run(progress, threads))
+        return Result(self._case.run(told_to(progress), threads))
 
     def fit(self, *, threads: int = 1, seed: int | None = None, mechanisms: Iterable[str] = (),
             with_costly: bool = False, progress: Progress = None) -> Fit:
@@ -88,11 +90,11 @@ class Case:
         mechanisms: the only ones to be fitted; with_costly: also those whose every prediction is a run of dynamic
         relaxation. The answer does not depend on threads.
         """
-        return Fit(self._case.fit(progress, threads, seed, list(mechanisms), with_costly))
+        return Fit(self._case.fit(told_to(progress), threads, seed, list(mechanisms), with_costly))
 
     def sensitivity(self, *, threads: int = 1, seed: int | None = None, progress: Progress = None) -> Sensitivity:
         """The study that the case's section sensitivity asks for."""
-        return Sensitivity(self._case.sensitivity(progress, threads, seed))
+        return Sensitivity(self._case.sensitivity(told_to(progress), threads, seed))
 
     def sample(self, samples: int | None = None, *, method: str | None = None,
                seed: int | None = None) -> dict[str, npt.NDArray[np.float64]]:
@@ -103,18 +105,28 @@ class Case:
         """
         return self._case.sample(samples, method, seed)
 
+    def _numbers(self, name: str, values: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        array = np.asarray(values)
+        if array.dtype.kind not in "OU":
+            return array.astype(np.float64)
+        each = np.asarray(values, dtype=object)
+        read = [self._case.input_value(name, one) if isinstance(one, str) else float(one) for one in each.ravel()]
+        return np.array(read, dtype=np.float64).reshape(each.shape)
+
     def evaluate(self, inputs: Mapping[str, npt.ArrayLike], outputs: str | Iterable[str] = "factor_of_safety", *,
                  threads: int = 1, progress: Progress = None) -> Evaluation:
-        """The model at many points: inputs by name, numbers or arrays in SI that numpy can broadcast together.
+        """The model at many points: inputs by name, numbers or arrays that numpy can broadcast together.
 
-        A point without an answer is NaN, and Evaluation.failures says why.
+        Numbers are in SI, texts have their unit: "30 deg". A point without an answer is NaN, and Evaluation.failures
+        says why. What inputs do not set is as in run(): of a case with support_design the support that is designed for
+        its own values.
         """
-        arrays = {name: np.asarray(values, dtype=np.float64) for name, values in inputs.items()}
+        arrays = {name: self._numbers(name, values) for name, values in inputs.items()}
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
         columns = {name: np.ascontiguousarray(np.broadcast_to(array, shape)).ravel() for name, array in arrays.items()}
         asked = [outputs] if isinstance(outputs, str) else list(outputs)
         count = int(np.prod(shape))
-        answers, failures, causes = self._case.evaluate(columns, count, asked, progress, threads)
+        answers, failures, causes = self._case.evaluate(columns, count, asked, told_to(progress), threads)
         shaped = {name: answer.reshape(shape) for name, answer in zip(asked, answers)}
         return Evaluation(shaped, failures.reshape(shape), causes)
 
@@ -134,6 +146,18 @@ class Model(Section):
                  threads: int = 1, progress: Progress = None) -> Evaluation:
         """See Case.evaluate."""
         return self.case().evaluate(inputs, outputs, threads=threads, progress=progress)
+
+
+def told_to(progress: Progress) -> Told:
+    """The function that is told of progress; for True one that keeps a line on the screen."""
+    if isinstance(progress, bool):
+        return _show_progress if progress else None
+    return progress
+
+
+def _show_progress(share: float, what: str) -> None:
+    # What is printed next begins where this line does.
+    print(f"{what}: {100 * share:3.0f} %", end="\r", file=sys.stderr, flush=True)
 
 
 def _texts(settings: Settings) -> dict[str, str]:

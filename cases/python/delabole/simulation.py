@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _delabole
-from .case import Case, Model, Progress
+from .case import Case, Model, Progress, told_to
 from .models import Relaxation, RelaxationJoint, RelaxationPolygon, RelaxationPolygons
 from .fields import Quantity
 
@@ -35,7 +35,7 @@ class Simulation(_delabole.Simulation):
 
         After Ctrl-C the simulation stands between two steps and can go on.
         """
-        return super().run(until, progress=progress)
+        return super().run(until, progress=told_to(progress))
 
     @property
     def positions(self) -> npt.NDArray[np.float64]:

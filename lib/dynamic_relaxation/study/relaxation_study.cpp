@@ -200,7 +200,6 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
     }
     RelaxationRun made{relaxation_scene(study), {}, {}, {}};
     made.settings = settings_for(study, work, made.scene);
-    made.ends_with_duration = ends_with_duration(study);
     made.result.fault = check(made.scene, made.settings);
     if (made.result.fault.check != SceneCheck::valid) {
         return made;
@@ -227,7 +226,7 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
             }
         });
     progress.state = simulation.state();
-    made.end = simulation.state();
+    made = ended_at(study, simulation);
     if (study.history) {
         made.history = progress.history;
         made.history.push_back(history_line(*study.history, simulation));
@@ -237,12 +236,18 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
         record.add_last(simulation);
         made.frames = std::move(record.frame);
     }
-    made.result = simulation.result();
-    made.post_failure = post_failure_of(study, made, made.end->motion, made.end->removed);
     find_early_failure(study, progress.slope.frame, made);
     if (!ended) {
         made.result.outcome = RelaxationOutcome::interrupted;
     }
+    return made;
+}
+
+RelaxationRun ended_at(const RelaxationStudy& study, const Simulation& simulation) {
+    RelaxationRun made{simulation.scene(), simulation.settings(), simulation.result(), {}};
+    made.ends_with_duration = ends_with_duration(study);
+    made.end = simulation.state();
+    made.post_failure = post_failure_of(study, made, made.end->motion, made.end->removed);
     return made;
 }
 

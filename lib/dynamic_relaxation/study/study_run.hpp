@@ -15,6 +15,9 @@ RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& w
 bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bool(double)>& watch,
            const std::function<void()>& keep, const std::function<void()>& seen);
 
+// The run of the study as it stands now, if it ended here: without history and frames.
+RelaxationRun ended_at(const RelaxationStudy& study, const Simulation& simulation);
+
 // The run of a study with `retrogression`.
 RelaxationRun run_in_stages(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
 

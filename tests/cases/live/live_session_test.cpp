@@ -1,6 +1,10 @@
 // What the page of `delabole live` may be asked: any JSON is answered or refused in words, and what is saved is a case
 // with the values that were asked for.
-#include "cases/program/live/session.hpp"
+#include "tests/cases/live/live_case.hpp"
+
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/model_reports.hpp"
+#include "cases/program/sweeps/support_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -16,16 +21,6 @@
 
 namespace delabole {
 namespace {
-
-std::string text_of(const std::string& name) {
-    std::ifstream file(DELABOLE_CASES "/" + name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-LiveSession session_of(const std::string& name) {
-    const std::string path = DELABOLE_CASES "/" + name;
-    return {read_case(path), text_of(name), [](const std::vector<std::string>&) { return "results"; }};
-}
 
 // Requests as the page makes them, with one or two of their parts replaced.
 class Requests {
@@ -166,6 +161,7 @@ TEST_P(AnyRequest, IsAnsweredOrRefusedInWords) {
         ask(counts, request, [&] { session.start_motion(request); });
         ask(counts, request, [&] { session.step_motion(request); });
         ask(counts, request, [&] { session.change_motion(request); });
+        ask(counts, request, [&] { session.verdict_of_motion(request); });
     }
     // Of both kinds there are many.
     EXPECT_GT(counts.answered, number);
@@ -240,63 +236,83 @@ TEST(LiveSession, StudiesTheSlopeAsItIs) {
     EXPECT_EQ(session_of("starting/plane_failure.toml").open()["studies"], false);
 }
 
-// The uphill top corner of each block follows, to the point where the pointer is.
-TEST(LiveSession, BlocksOfARowAreDragged) {
-    for (const auto& [name, count] :
-         std::array<std::pair<const char*, std::size_t>, 3>{{{"starting/flexural_toppling.toml", 4},
-                                                             {"starting/block_row.toml", 3},
-                                                             {"stepped_base/appendix_a.toml", 8}}}) {
-        const LiveSession session = session_of(name);
-        const Json before = session.answer(Json::object());
-        ASSERT_GE(before["handles"].size(), count) << name;
-        for (const Json& handle : before["handles"]) {
-            if (handle["name"] == "toe") {
-                continue;  // stays the origin, see TheToeLeavesTheCrest
-            }
-            // Within the picture, where the corner is drawn.
-            const double x = handle["at"][0];
-            const double y = handle["at"][1];
-            const Json& figure = before["figures"][0];
-            if (handle["name"] != "base") {
-                bool drawn = false;
-                for (const Json& series : figure["series"]) {
-                    const Json& points = series.contains("points") ? series["points"] : series["outline"];
-                    for (const Json& point : points.is_array() ? points : Json::array()) {
-                        drawn = drawn || (point.is_array() && point[0].is_number() && point[1].is_number() &&
-                                          std::hypot(point[0].get<double>() - x, point[1].get<double>() - y) < 1e-6);
-                    }
-                }
-                EXPECT_TRUE(drawn) << name << ' ' << handle;
-            }
-            const Json answer = session.drag({{"handle", handle["name"]}, {"to", {x + 0.02, y + 0.03}}});
-            const Json& moved =
-                *std::ranges::find(answer["handles"], handle["name"], [](const Json& one) { return one["name"]; });
-            EXPECT_LT(std::hypot(moved["at"][0].get<double>() - x - 0.02, moved["at"][1].get<double>() - y - 0.03),
-                      handle["name"] == "base" ? 0.036 : 1e-3)
-                << name << ' ' << handle;
-        }
-    }
-}
-
-// The picture is shifted by as much as the toe goes, so that the crest stays where it was seen.
-TEST(LiveSession, TheToeLeavesTheCrest) {
-    const LiveSession session = session_of("starting/plane_failure.toml");
-    const auto crest = [](const Json& answer) {
-        return (*std::ranges::find(answer["handles"], "crest", [](const Json& one) { return one["name"]; }))["at"];
-    };
-    const Json before = crest(session.answer(Json::object()));
-    const Json after = session.drag({{"handle", "toe"}, {"to", {0.7, -0.4}}});
-    EXPECT_NEAR(crest(after)[0], before[0].get<double>() - 0.7, 1e-9);
-    EXPECT_NEAR(crest(after)[1], before[1].get<double>() + 0.4, 1e-9);
-    EXPECT_EQ(after["values"].size(), 2U);
-    const Json above = session.drag({{"handle", "toe"}, {"to", {0.0, 50.0}}});  // the crest lies 12 m high
-    EXPECT_EQ(crest(above), before);
-}
-
 TEST(LiveSession, TheVerdictIsFollowedByTheRestOfTheAnswer) {
     const Json answer = session_of("stepped_base/cables_together.toml").answer(Json::object());
     ASSERT_FALSE(answer["sentences"].empty());
     EXPECT_NE(answer["sentences"][0].get<std::string>().find("kN/m"), std::string::npos) << answer["sentences"];
+}
+
+TEST(LiveSession, RoundNumbersAreSavedAsPeopleWriteThem) {
+    const std::string saved = session_of("starting/fit.toml")
+                                  .save({{"values",
+                                          {{"slope.height", 20},
+                                           {"slope.face_dip", 50},
+                                           {"strength.cohesion", 100},
+                                           {"rock.unit_weight", 25.5}}}})["toml"];
+    for (const char* const line :
+         {"height = \"20 m\"", "face_dip = \"50 deg\"", "cohesion = \"100 kPa\"", "unit_weight = \"25.5 kN/m3\""}) {
+        EXPECT_NE(saved.find(line), std::string::npos) << line << " in\n" << saved;
+    }
+}
+
+// A corner of a drawing that was dragged stands in the case, and the drawing does not.
+TEST(LiveSession, AnOutlineFromAFileIsSavedWithItsPoints) {
+    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "live_outline";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "section.csv") << "x_m,y_m\n0,0\n20,0\n20,12\n6,12\n";
+    std::string text = text_of("starting/jointed_slope.toml");
+    const std::size_t begin = text.find("outline = [");
+    text.replace(begin, text.find("\n]\n", begin) + 2 - begin, "outline_file = \"section.csv\"  # surveyed");
+    const std::string path = (folder / "case.toml").string();
+    std::ofstream(path) << text;
+    const LiveSession session(read_case(path), text, [](const std::vector<std::string>&) { return ""; });
+    EXPECT_EQ(session.save({{"values", {{"scene.joint[1].friction_angle", 30}}}})["toml"].get<std::string>().find(
+                  "outline = ["),
+              std::string::npos);
+    const Json saved = session.save({{"values", {{"scene.outline[3].y", 13}, {"scene.outline[4].x", 7}}}});
+    const std::string toml = saved["toml"];
+    EXPECT_EQ(toml.find("section.csv"), std::string::npos) << toml;
+    EXPECT_NE(toml.find("]  # surveyed"), std::string::npos) << toml;
+    const std::vector<Quantity> inputs = named_inputs(parse_case(toml, path).model);
+    EXPECT_EQ(find_quantity(inputs, "scene.outline[2].x")->value, 20);
+    EXPECT_EQ(find_quantity(inputs, "scene.outline[3].y")->value, 13);
+    EXPECT_EQ(find_quantity(inputs, "scene.outline[4].x")->value, 7);
+    EXPECT_EQ(find_quantity(inputs, "scene.outline[4].y")->value, 12);
+}
+
+// Verdict and sentences are those of the report of a run, which designs the support first; its settings leave the
+// design to the run, unless the support was chosen by hand.
+TEST(LiveSession, SupportIsDesignedAsARunDesignsIt) {
+    for (const char* const name :
+         {"starting/support.toml", "plane_failure/bolted_road_cut.toml", "stepped_base/bolted_columns.toml"}) {
+        std::vector<std::string> settings;
+        CaseFile file = read_case(DELABOLE_CASES "/" + std::string(name));
+        LiveSession session(file, text_of(name), [&](const std::vector<std::string>& given) {
+            settings = given;
+            return "results";
+        });
+        EXPECT_EQ(session.open()["designs_support"], true);
+        const Json design = session.support(Json::object());
+        const Json answer = session.answer({{"values", design["values"]}});
+        const std::optional<DesignedSupport> designed = design_support_of(file, [](double) { return true; });
+        ASSERT_TRUE(designed);
+        HeadCard head = head_card(file.model, analyse_case(file.model));
+        add_to_head(*designed, head);
+        std::vector<std::string> said{answer["verdict"], design["sentence"]};
+        for (const Json& sentence : answer["sentences"]) {
+            said.push_back(sentence);
+        }
+        said.resize(head.sentences.size());
+        EXPECT_EQ(said, head.sentences) << name;
+
+        session.report({{"values", design["values"]}});
+        EXPECT_TRUE(settings.empty()) << name << ": " << settings.front();
+        Json by_hand = design["values"];
+        by_hand["support[1].rows"] = by_hand["support[1].rows"].get<double>() + 1;
+        session.report({{"values", by_hand}});
+        EXPECT_EQ(settings.size(), file.support_design->choices.size()) << name;
+    }
+    EXPECT_THROW(session_of("starting/fit.toml").support(Json::object()), LiveRefusal);
 }
 
 // Measured poles are many sliders: they stand in one group, and each says which pole it is of.
@@ -308,69 +324,36 @@ TEST(LiveSession, MeasuredPolesAreOneGroup) {
     EXPECT_EQ((*poles)["inputs"][0]["label"], "plane[1]: dip");
 }
 
-TEST(LiveSession, JointSetsAndOutlineOfASectionAreDragged) {
-    const LiveSession session = session_of("starting/jointed_slope.toml");
-    const Json before = session.answer(Json::object());
-    std::vector<std::string> sets;
-    for (const Json& handle : before["handles"]) {
-        const std::string name = handle["name"];
-        const double x = handle["at"][0];
-        const double y = handle["at"][1];
-        const Json answer = session.drag({{"handle", name}, {"to", {x - 0.2, y + 0.1}}});
-        EXPECT_EQ(answer["values"].size(), handle["inputs"].size()) << name;
-        if (name.starts_with("joint set ")) {
-            sets.push_back(name);
-            const auto dip = answer["values"][handle["inputs"][0]].get<double>();
-            // From the middle of the outline towards the pointer: 10 m across, 6 m up.
-            EXPECT_NEAR(std::tan(degrees(dip)), (y + 0.1 - 6) / (x - 0.2 - 10), 1e-6) << name;
+// Motion goes on past its end, and what is said of it is what the report of a run says.
+TEST(LiveSession, AMotionEndsInTheWordsOfItsRun) {
+    constexpr const char* name = "starting/jointed_slope.toml";
+    CaseFile file = read_case(DELABOLE_CASES "/" + std::string(name));
+    auto& study = std::get<RelaxationStudy>(file.model);
+    study.critical.reset();  // the run alone
+    LiveSession session(file, text_of(name), [](const std::vector<std::string>&) { return "results"; });
+    for (const double friction : {35.0, 60.0}) {
+        const Json values{{"values", {{"scene.joint[1].friction_angle", friction}}}};
+        session.start_motion(values);
+        EXPECT_EQ(session.verdict_of_motion(values), Json::object());
+        for (int turn = 0; turn < 1000 && session.verdict_of_motion(values).empty(); ++turn) {
+            session.step_motion({{"steps", 500}});
         }
+        const CaseModel model = with_conditions(file.model, {{"scene.joint[1].friction_angle", degrees(friction)}});
+        const HeadCard head = head_card(model, analyse_case(model));
+        const Json said = session.verdict_of_motion(values);
+        EXPECT_EQ(said["verdict"], head.sentences.front());
+        EXPECT_EQ(said["sentences"], (std::vector<std::string>(head.sentences.begin() + 1, head.sentences.end())));
+        EXPECT_EQ(said["over"], false);
+        EXPECT_TRUE(head.sentences.front().starts_with(friction < 40 ? "Failed: " : "Stands: ")) << said;
     }
-    EXPECT_EQ(sets, (std::vector<std::string>{"joint set bedding", "joint set columns"}));
-}
-
-TEST(LiveSession, EveryPointOfASectionIsDragged) {
-    std::string text = text_of("starting/full/plane_failure.toml");
-    for (const auto& [key, further] : std::array<std::array<std::string, 2>, 2>{
-             {{"upper_surface_dip", "toe_elevation = \"100 m\"\nbench = { width = \"2 m\", dip = \"3 deg\" }\n"},
-              {"dip = \"35 deg\"", "daylight_height = \"1 m\"\n"}}}) {
-        text.insert(text.find(key), further);
+    // From rest on with less friction: the verdict is found anew.
+    session.change_motion({{"values", {{"scene.joint[1].friction_angle", 12.0}}}});
+    EXPECT_EQ(session.verdict_of_motion({}), Json::object());
+    for (int turn = 0; turn < 1000 && session.verdict_of_motion({}).empty(); ++turn) {
+        session.step_motion({{"steps", 500}});
     }
-    const LiveSession session(parse_case(text, "slope.toml"), text, [](const std::vector<std::string>&) { return ""; });
-    std::vector<std::string> names;
-    const Json before = session.answer(Json::object());
-    for (const Json& handle : before["handles"]) {
-        names.push_back(handle["name"]);
-        const double x = handle["at"][0].get<double>() + 0.1;
-        const double y = handle["at"][1].get<double>() + 0.1;
-        const Json answer = session.drag({{"handle", handle["name"]}, {"to", {x, y}}});
-        const Json& moved =
-            *std::ranges::find(answer["handles"], handle["name"], [](const Json& one) { return one["name"]; });
-        // A point on a line that it cannot leave goes as near as the line comes: of a slanting, level or upright line,
-        // at most 0.1 m away, of 0.14 m before.
-        EXPECT_LT(std::hypot(moved["at"][0].get<double>() - x, moved["at"][1].get<double>() - y), 0.1 + 1e-6)
-            << handle["name"];
-    }
-    EXPECT_EQ(names, (std::vector<std::string>{"toe", "crest", "end of the bench", "failure plane",
-                                               "where the plane daylights", "tension crack", "water level"}));
-}
-
-// What is dragged over north goes on behind it.
-TEST(LiveSession, PolesOfAStereonetAreDragged) {
-    const LiveSession session = session_of("starting/kinematics.toml");
-    const Json answer = session.answer(Json::object());
-    for (const Json& handle : answer["handles"]) {
-        for (const double east : {-0.3, 0.3}) {
-            const Json dragged = session.drag({{"handle", handle["name"]}, {"to", {east, -0.4}}});
-            const Json& moved = *std::ranges::find_if(dragged["handles"],
-                                                      [&](const Json& one) { return one["name"] == handle["name"]; });
-            EXPECT_EQ(dragged["values"].size(), handle["inputs"].size());
-            if (handle["inputs"].size() == 2) {
-                EXPECT_NEAR(moved["at"][0], east, 1e-5) << handle["name"];  // a few steps of Gauss and Newton
-                EXPECT_NEAR(moved["at"][1], -0.4, 1e-5) << handle["name"];
-            }
-        }
-    }
-    EXPECT_GT(answer["handles"].size(), 3U);
+    EXPECT_TRUE(session.verdict_of_motion({})["verdict"].get<std::string>().starts_with("Failed: "))
+        << session.verdict_of_motion({});
 }
 
 }  // namespace

@@ -136,6 +136,20 @@ function drawFigure(figure, shown) {
   return picture;
 }
 
+// Names in boxes that would lie on each other are moved down; of a picture that is shown.
+function spreadLabels(picture) {
+  const placed = [];
+  for (const label of picture.querySelectorAll('text.box')) {
+    const meets = box => placed.some(one => box.x < one.x + one.width && one.x < box.x + box.width && box.y < one.y + one.height && one.y < box.y + box.height);
+    let box = label.getBBox();
+    for (let turn = 0; turn < 4 && meets(box); ++turn) {
+      label.setAttribute('y', Number(label.getAttribute('y')) + box.height);
+      box = label.getBBox();
+    }
+    placed.push(box);
+  }
+}
+
 // What colours and dashes mean, as words that follow each other below the picture.
 function legendOf(figure) {
   const list = Object.assign(document.createElement('ul'), {className: 'legend'});

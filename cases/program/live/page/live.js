@@ -1,7 +1,7 @@
 // The case on the page: inputs, answers, handles, map, variants.
 const token = location.hash.slice(1);
 const find = id => document.getElementById(id);
-const state = {values: {}, past: [], future: [], variants: new Map(), inputs: new Map(), answer: null, open: null, width: 0, ranges: null};
+const state = {values: {}, start: {}, design: null, past: [], future: [], variants: new Map(), inputs: new Map(), answer: null, open: null, width: 0, ranges: null};
 
 function tell(text) {
   find('message').hidden = !text;
@@ -44,7 +44,7 @@ const digits = number => Number(Number(number).toPrecision(5));
 const valueOf = name => state.values[name] ?? state.inputs.get(name).value;
 
 function sliderRange(input) {
-  const scale = input.value ? Math.abs(input.value) : {m: 10, kPa: 100, deg: 45, 'kN/m3': 10, 'kN/m': 100}[input.unit] || 1;
+  const scale = input.value ? Math.abs(input.value) : {m: 10, ft: 30, kPa: 100, deg: 45, 'kN/m3': 10, 'kN/m': 100}[input.unit] || 1;
   let lower = input.lower ?? (input.value >= 0 && !/\.(x|y)$/.test(input.name) ? 0 : input.value - 2 * scale);
   let upper = input.upper ?? input.value + 2 * scale;
   if (input.unit !== 'deg' && upper - lower > 6 * scale) {
@@ -154,7 +154,13 @@ const refreshMap = latest(async () => {
     return {name: input.name, lower, upper};
   });
   if (x.name === y.name) return;
-  const map = await ask('/map', {values: state.values, x, y, output: state.open.map.output, columns: 48, rows: 36});
+  const asked = {values: state.values, output: state.open.map.output};
+  const began = performance.now(), coarse = await ask('/map', {...asked, x, y, columns: 48, rows: 36});
+  const closer = closerRange(coarse, [valueOf(x.name), valueOf(y.name)]);
+  if (closer) [x, y].forEach((axis, index) => Object.assign(axis, closer[index]));
+  // Finer where nothing is being dragged and the model is quick.
+  const finer = !state.ranges && performance.now() - began < 100 ? 1.5 : 1;
+  const map = finer === 1 && !closer ? coarse : await ask('/map', {...asked, x, y, columns: 48 * finer, rows: 36 * finer});
   const axes = titles.map(input => ({title: `${input.group}: ${input.label}`, unit: input.unit, grid: false}));
   const fit = state.open.fit && await ask('/fit', {values: state.values, x, y, columns: 32, rows: 24});
   const picture = drawMap(map, axes, [valueOf(x.name), valueOf(y.name)], find('chart').clientWidth, fit && fit.values && fit);
@@ -168,6 +174,16 @@ const refreshMap = latest(async () => {
   });
   find('chart').replaceChildren(picture);
 });
+
+// Where more than half of the map has no answer: the part around the answers and the present point.
+function closerRange(map, here) {
+  const cells = map.values.flatMap((row, j) => row.map((value, i) => value === null ? null : [i, j])).filter(Boolean);
+  if (!cells.length || 2 * cells.length > map.x.length * map.y.length) return null;
+  return [map.x, map.y].map((axis, index) => {
+    const places = cells.map(cell => cell[index]), at = place => axis[Math.min(axis.length - 1, Math.max(0, place))];
+    return {lower: Math.min(here[index], at(Math.min(...places) - 1)), upper: Math.max(here[index], at(Math.max(...places) + 1))};
+  });
+}
 
 function showObservations(observations) {
   find('observations').hidden = false;
@@ -186,10 +202,20 @@ function dataAt(picture, event, toPicture = picture.getScreenCTM().inverse()) {
 
 function addHandles(picture, answer) {
   for (const handle of answer.handles) {
-    const at = picture.toPicture(handle.at);
-    const knob = svg('circle', {class: 'handle', cx: at[0], cy: at[1], r: 9, tabindex: 0, role: 'slider',
-      'aria-label': handle.name, 'aria-valuenow': digits(valueOf(handle.inputs[0])), 'aria-valuetext': handle.inputs.map(name => `${name} ${digits(valueOf(name))} ${state.inputs.get(name).unit}`).join(', ')}, picture);
+    const place = point => picture.toPicture(point.map(one => one * (answer.metre || 1)));  // points of handles are in metres
+    const at = place(handle.at), [least, most] = sliderRange(state.inputs.get(handle.inputs[0])), now = valueOf(handle.inputs[0]);
+    const stays = /water/.test(handle.name) ? ' stays' : '';  // of blocks in motion
+    if (handle.from) {
+      const [x1, y1] = place(handle.from);
+      svg('line', {class: 'spoke', x1, y1, x2: at[0], y2: at[1]}, picture);
+      const left = at[0] < x1;
+      svg('text', {class: 'box', x: at[0] + (left ? -12 : 12), y: at[1] + 4, 'text-anchor': left ? 'end' : 'start'}, picture).textContent = handle.name;
+    }
+    const knob = svg('g', {class: `handle${stays}`, tabindex: 0, role: 'slider',
+      'aria-label': handle.name, 'aria-valuenow': digits(now), 'aria-valuemin': digits(Math.min(least, now)), 'aria-valuemax': digits(Math.max(most, now)), 'aria-valuetext': handle.inputs.map(name => `${name} ${digits(valueOf(name))} ${state.inputs.get(name).unit}`).join(', ')}, picture);
     svg('title', {}, knob).textContent = `${handle.name}: ${handle.inputs.join(', ')}`;
+    svg('circle', {class: 'finger', cx: at[0], cy: at[1], r: 16}, knob);
+    svg('circle', {cx: at[0], cy: at[1], r: 9}, knob);
     knob.dataset.name = handle.name;
     knob.addEventListener('pointerdown', event => {
       event.preventDefault();
@@ -199,7 +225,7 @@ function addHandles(picture, answer) {
       let dragging = null;
       const move = moved => {
         if (!dragging) remember();
-        dragging = drag(handle.name, dataAt(picture, moved, toPicture), handle.is_origin && start);
+        dragging = drag(handle.name, dataAt(picture, moved, toPicture), answer.metre || 1, handle.is_origin && start);
       };
       const end = async () => {
         window.removeEventListener('pointermove', move);
@@ -218,20 +244,20 @@ function addHandles(picture, answer) {
       event.preventDefault();
       if (!event.repeat) remember();
       state.focus = handle.name;
-      drag(handle.name, picture.toData(at[0] + by[0], at[1] + by[1]));
+      drag(handle.name, picture.toData(at[0] + by[0], at[1] + by[1]), answer.metre || 1);
     });
   }
 }
 
 // `start` is what a drag of the origin counts from: it stays under the pointer while the picture is shifted.
-const drag = latest(async (handle, to, start) => {
-  const answer = await ask('/drag', {values: start ? start.values : state.values, handle, to});
+const drag = latest(async (handle, to, metre, start) => {
+  const answer = await ask('/drag', {values: start ? start.values : state.values, handle, to: to.map(one => one / metre)});
   const goes = start && Object.entries(answer.values).some(([name, value]) => digits(value) !== digits(start.values[name] ?? state.inputs.get(name).value));
   if (start) state.ranges = start.ranges.map((range, axis) => range.map(end => goes ? end - to[axis] : end));
   const values = Object.fromEntries(Object.entries(answer.values).map(([name, value]) => [name, digits(value)]));
   set({...state.values, ...values});
   showInputs();
-  if (state.open.moves) { await startMotion(answer); return; }
+  if (state.open.moves) { await changeMotion(answer); return; }
   show(answer);
   refreshMap();
 });
@@ -256,18 +282,40 @@ function sectionOf(answer, title, withHandles) {
   return box;
 }
 
+const keyOf = values => JSON.stringify(Object.entries(values).sort());
+
+// The support that `delabole run` designs for the slope as it stands.
+async function designSupport() {
+  const {values, sentence} = await ask('/support', {values: state.values});
+  set({...state.values, ...values});
+  state.design = {of: keyOf(state.values), sentence};
+}
+
+// As the report has them; of another support than the designed one that is said instead.
+function sentencesOf(answer) {
+  const sentences = [...(answer.sentences || [])];
+  if (!state.open.designs_support || answer.failure) return sentences;
+  const designed = state.design?.of === keyOf(state.values);
+  return [designed ? state.design.sentence : 'The support is as set here; "Cheapest support" finds the one that delabole run would choose.', ...sentences].slice(0, 2);
+}
+
+function showSentences(sentences) {
+  find('sentences').replaceChildren(...sentences.map(text => Object.assign(document.createElement('p'), {textContent: text})));
+}
+
 function show(answer) {
   if (answer !== state.answer) find('findings').replaceChildren();
   state.answer = answer;
   find('verdict').textContent = answer.failure || answer.verdict;
   find('verdict').className = answer.failure ? 'failure' : '';
-  find('sentences').replaceChildren(...(answer.sentences || []).map(text => Object.assign(document.createElement('p'), {textContent: text})));
+  showSentences(sentencesOf(answer));
   const beside = state.variants.get(find('beside').value);
   find('return').disabled = !beside;
   if (!answer.failure) {
     const sections = [sectionOf(answer, beside ? 'now' : '', true)];
     if (beside) sections.push(sectionOf(beside.answer, `${find('beside').value}: ${beside.answer.failure || beside.answer.verdict}`, false));
     find('sections').replaceChildren(...sections);
+    find('sections').querySelectorAll('svg').forEach(spreadLabels);
     if (state.focus) find('sections').querySelector(`[data-name="${CSS.escape(state.focus)}"]`)?.focus();
   } else if (find('sections').firstChild) {
     find('sections').querySelector('figcaption').textContent = 'The slope before this change.';
@@ -275,6 +323,8 @@ function show(answer) {
   find('warnings').replaceChildren(...(answer.warnings || []).map(text => Object.assign(document.createElement('li'), {textContent: text})));
   find('figures').replaceChildren();
   find('more').hidden = !answer.figures?.length;
+  find('results').tHead.hidden = !beside || answer.failure;
+  find('other').textContent = find('beside').value;
   const other = beside && new Map(beside.answer.results.map(one => [one.name, one]));
   find('results').tBodies[0].replaceChildren(...(answer.results || []).filter(one => !one.detail).map(one => {
     const row = document.createElement('tr');
@@ -317,17 +367,23 @@ function attempt(work) {
 function addTools() {
   find('undo').addEventListener('click', () => step(state.past, state.future));
   find('redo').addEventListener('click', () => step(state.future, state.past));
-  find('restore').addEventListener('click', () => { remember(); goTo({}); });
-  find('beside').addEventListener('change', () => state.answer && show(state.answer));
+  find('restore').addEventListener('click', () => { remember(); goTo(state.start); });
+  find('design').addEventListener('click', attempt(async () => {
+    remember();
+    await designSupport();
+    showInputs();
+    await refresh();
+  }));
+  find('beside').addEventListener('change', () => state.open.moves ? showBesideMotion() : state.answer && show(state.answer));
   find('return').addEventListener('click', () => { remember(); goTo(state.variants.get(find('beside').value).values); });
   find('keep').addEventListener('click', () => {
-    if (!state.answer || state.answer.failure) return;
+    if (!state.open.moves && (!state.answer || state.answer.failure)) return;
     const name = find('name').value.trim() || `variant ${state.variants.size + 1}`;
     if (!state.variants.has(name)) find('beside').add(new Option(name, name));
-    state.variants.set(name, {values: {...state.values}, answer: state.answer});
+    state.variants.set(name, {values: {...state.values}, answer: state.answer, motion: state.open.moves && pictureOfMotion()});
     find('beside').value = name;
     find('name').value = '';
-    show(state.answer);
+    state.open.moves ? showBesideMotion() : show(state.answer);
   });
   find('save').addEventListener('click', attempt(async () => {
     const {toml} = await ask('/save', {values: state.values});
@@ -367,9 +423,13 @@ async function begin() {
   addTools();
   addStudy();
   addMap();
+  find('design').hidden = !state.open.designs_support;
+  const said = state.open.designs_support && await designSupport().catch(error => error.message);
+  state.start = {...state.values};
   showInputs();
   if (state.open.moves) await beginMotion();
   else await refresh();
+  if (said) tell(said);
   document.body.dataset.ready = 'yes';
 }
 

@@ -4,7 +4,6 @@ const energies = ['work of gravity and loads', 'kinetic', 'elastic', 'friction',
 async function beginMotion() {
   find('motion').hidden = false;
   find('answers').hidden = true;
-  find('keep').disabled = find('name').disabled = find('beside').disabled = true;
   find('start').addEventListener('click', attempt(() => startMotion()));
   find('play').addEventListener('click', () => { motion.playing ? pause() : play(); });
   find('step').addEventListener('click', attempt(async () => { pause(); take(await ask('/motion/step', {steps: 1})); }));
@@ -18,7 +17,7 @@ async function startMotion(answer) {
   tell('The static start is being found.');
   const made = await ask('/motion/start', {values: state.values});
   motion.handles = (answer?.handles ? answer : await ask('/answer', {values: state.values})).handles;
-  Object.assign(motion, {blocks: made.blocks, centres: made.centres, tilt: made.tilt, mass: made.mass, outcomes: made.outcomes.map(word => word.replaceAll('_', ' '))});
+  Object.assign(motion, {blocks: made.blocks, centres: made.centres, tilt: made.tilt, mass: made.mass});
   take(await ask('/motion/step', {steps: 0}));
   addKnobs();
   tell('');
@@ -32,31 +31,51 @@ function addKnobs() {
   const [x0, y0] = knobs.toPicture([0, 0]), [ax, ay] = knobs.toPicture([1, 0]), [bx, by] = knobs.toPicture([0, 1]);
   const toData = new DOMMatrix([ax - x0, ay - y0, bx - x0, by - y0, x0, y0]).inverse();
   knobs.toData = (x, y) => { const at = new DOMPoint(x, y).matrixTransform(toData); return [at.x, at.y]; };
+  knobs.classList.toggle('moving', motion.picture.steps > 0);
   addHandles(knobs, motion);
   find('knobs').replaceWith(knobs);
   if (state.focus) knobs.querySelector(`[data-name="${CSS.escape(state.focus)}"]`)?.focus();
 }
 
-async function changeMotion() {
+async function changeMotion(answer) {
+  if (!motion.picture.steps) { await startMotion(answer); return; }  // the static start is another one
   try {
     await ask('/motion/change', {values: state.values});
-    drawBlocks();
   } catch (error) {
-    await startMotion();
+    await startMotion(answer);
+    return;
   }
+  motion.handles = (answer?.handles ? answer : await ask('/answer', {values: state.values})).handles;
+  addKnobs();
+  drawBlocks();
+}
+
+// A variant's blocks as they lay when it was kept.
+const pictureOfMotion = () => ({image: find('blocks').toDataURL(), verdict: find('verdict').textContent, clock: `${motion.picture.time.toFixed(3)} s`});
+
+function showBesideMotion() {
+  const name = find('beside').value, beside = state.variants.get(name);
+  find('return').disabled = !beside;
+  if (!beside) { find('sections').replaceChildren(); return; }
+  const box = document.createElement('figure'), {image, verdict, clock} = beside.motion;
+  box.append(Object.assign(document.createElement('img'), {src: image, alt: `Blocks of ${name}`}),
+    Object.assign(document.createElement('figcaption'), {textContent: `${name}, after ${clock}: ${verdict}`}));
+  find('sections').replaceChildren(box);
 }
 
 function take(buffer) {
   const numbers = new Float32Array(buffer);
-  const [time, stepsAbove, stepsBelow, outcome] = numbers, [blocks, forces] = numbers.slice(11, 13);
-  const steps = stepsAbove * 2 ** 24 + stepsBelow, balance = [...numbers.slice(4, 10)], unbalanced = numbers[10];
-  motion.picture = {time, steps, outcome, poses: numbers.subarray(14, 14 + 3 * blocks),
-    forces: numbers.subarray(14 + 3 * blocks, 14 + 3 * blocks + 4 * forces), bolts: numbers.subarray(14 + 3 * blocks + 4 * forces)};
+  const [time, stepsAbove, stepsBelow, verdict, onset] = numbers, [blocks, forces] = numbers.slice(12, 14);
+  const steps = stepsAbove * 2 ** 24 + stepsBelow, balance = [...numbers.slice(5, 11)], first = 15, next = first + 3 * blocks;
+  motion.picture = {time, steps, onset, unbalanced: numbers[11], poses: numbers.subarray(first, next),
+    forces: numbers.subarray(next, next + 4 * forces), bolts: numbers.subarray(next + 4 * forces)};
   find('clock').textContent = `${time.toFixed(3)} s, ${steps} steps${motion.rate ? `, ${motion.rate.toFixed(0)} pictures a second` : ''}`;
-  find('verdict').textContent = verdictOf(motion.outcomes[outcome], steps);
-  const percent = 100 * unbalanced;
-  find('sentences').replaceChildren(Object.assign(document.createElement('p'), {textContent:
-    `Greatest unbalanced force: ${percent < 1e-6 ? 'none' : `${percent.toPrecision(3)} % of a block's load`}.`}));
+  if (verdict !== motion.decided) {
+    motion.decided = verdict;
+    motion.said = null;
+    if (verdict) askVerdict(verdict);
+  }
+  showVerdict();
   // Below a millionth of the greatest a single float holds rounding, as it does below a millionth of a joule.
   const most = Math.max(1, ...balance.map(Math.abs));
   find('energy').tBodies[0].replaceChildren(...energies.map((name, index) => {
@@ -67,13 +86,27 @@ function take(buffer) {
     cell.textContent = `${Math.abs(balance[index]) < most * 1e-6 ? 0 : (balance[index] / 1000).toPrecision(4)} kJ/m`;
     return row;
   }));
-  find('knobs').toggleAttribute('hidden', steps > 0);
+  find('knobs').classList.toggle('moving', steps > 0);
   drawBlocks();
 }
 
-function verdictOf(outcome, steps) {
-  if (outcome !== 'undecided') return outcome[0].toUpperCase() + outcome.slice(1) + '.';
-  return steps ? 'In motion: neither at rest nor failed yet.' : 'At the start: Play sets the blocks in motion.';
+// How a run of the case would have ended, in the words of its report.
+const askVerdict = verdict => attempt(async () => {
+  const said = await ask('/motion/verdict');
+  if (motion.decided !== verdict) return;
+  motion.said = said;
+  if (said.over) pause();
+  showVerdict();
+})();
+
+function showVerdict() {
+  const {steps, onset, unbalanced} = motion.picture;
+  find('verdict').textContent = (motion.said?.verdict || (!steps ? 'At the start: Play sets the blocks in motion.'
+    : onset >= 0 ? `In motion: the first block passed the thresholds of failure at ${onset.toPrecision(3)} s.`
+    : 'In motion: neither at rest nor failed yet.'));
+  const percent = 100 * unbalanced;
+  const force = percent < 1e-6 ? 'none' : percent > 100 ? "more than a block's load" : `${percent.toPrecision(3)} % of a block's load`;
+  showSentences([...(motion.said?.sentences || []), `Greatest unbalanced force now: ${force}.`]);
 }
 
 // With gravity downwards; as much is seen as the free blocks take, and half as much again for where they go.
@@ -118,6 +151,7 @@ function drawBlocks() {
       pen.stroke();
     });
   }
+  drawWater(pen, paint, toPicture);
   drawBolts(pen, bolts, paint, toPicture);
   if (!find('forces').checked) return;
   let greatest = 0;
@@ -135,6 +169,16 @@ function drawBlocks() {
   }
   pen.strokeStyle = paint('vermilion');
   widths.forEach((lines, width) => { pen.lineWidth = width / 2; if (width) pen.stroke(lines); });
+}
+
+// The water table of a section, where it is now.
+function drawWater(pen, paint, toPicture) {
+  const points = [...state.inputs.keys()].filter(name => /water\.vertex\[\d+\]\.x$/.test(name)).map(name => [name, name.replace(/x$/, 'y')].map(one => valueOf(one) / state.open.metre));
+  pen.strokeStyle = paint('sky');
+  pen.lineWidth = 3;
+  pen.beginPath();
+  points.forEach((point, index) => index ? pen.lineTo(...toPicture(point)) : pen.moveTo(...toPicture(point)));
+  pen.stroke();
 }
 
 // With their tension; dashed and in red where they have yielded.
