@@ -131,8 +131,8 @@ void draw(FigureFiles& files, const fs::path& folder, GnuplotRuns& runs) {
     }
     const ScratchFolder scratch(folder);
     // -d: the user's own start-up file is not read, so that the figure is the same for everyone.
-    const ProcessResult run =
-        run_program(*gnuplot, {"-d", (".." / files.script.filename()).string()}, scratch.path(), runs.time_limit);
+    const ProcessResult run = run_program(*gnuplot, {"-d", (".." / files.script.filename()).string()}, scratch.path(),
+                                          runs.time_limit, runs.give_up);
     if (run.timed_out) {
         runs.none_because = "it had not ended on " + files.script.filename().string();
     }

@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -168,6 +169,7 @@ void remove_abandoned_drawings(const std::filesystem::path& folder);
 struct GnuplotRuns {
     std::chrono::seconds time_limit{60};  // of one run, which usually takes a fraction of a second
     std::string none_because = {};        // the reason why gnuplot is not run any more; empty: it is run
+    std::function<bool()> give_up = {};   // whether the figure being drawn is not wanted any more
 };
 
 FigureFiles write_figure(const Figure& figure, const std::filesystem::path& folder, const std::string& name,

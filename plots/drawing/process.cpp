@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -20,6 +21,9 @@ namespace delabole {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::atomic<pid_t> running{0};
+static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
 struct SpawnSettings {
     posix_spawn_file_actions_t actions;
@@ -74,17 +78,22 @@ int spawn(const fs::path& program, const std::vector<std::string>& arguments, co
     return posix_spawn(&child, program.c_str(), &settings.actions, &settings.attributes, pointers.data(), environ);
 }
 
-// Reads until the other end closes. False if the deadline came first.
-bool drain(int descriptor, std::string& output, std::chrono::steady_clock::time_point deadline) {
+// Reads until the other end closes. False if the deadline came first or the caller gave up.
+bool drain(int descriptor, std::string& output, std::chrono::steady_clock::time_point deadline,
+           const std::function<bool()>& give_up) {
+    constexpr long interval = 100;  // ms
     constexpr std::size_t most_kept = 65'536;
     std::array<char, 4096> buffer;
     for (;;) {
         const auto left =
             std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
         pollfd waiting{.fd = descriptor, .events = POLLIN, .revents = 0};
-        const int ready = left <= 0 ? 0 : ::poll(&waiting, 1, static_cast<int>(std::min<long>(left, 1'000'000)));
-        if (ready == 0) {
+        const int ready = left <= 0 ? 0 : ::poll(&waiting, 1, static_cast<int>(std::min<long>(left, interval)));
+        if (left <= 0 || (give_up && give_up())) {
             return false;
+        }
+        if (ready == 0) {
+            continue;
         }
         if (ready < 0) {
             if (errno == EINTR) {
@@ -121,8 +130,15 @@ std::optional<std::filesystem::path> find_program(std::string_view name) {
     return std::nullopt;
 }
 
+void kill_running_program() {
+    if (const pid_t child = running; child > 0) {
+        ::kill(child, SIGKILL);
+    }
+}
+
 ProcessResult run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                          const std::filesystem::path& folder, std::chrono::seconds time_limit) {
+                          const std::filesystem::path& folder, std::chrono::seconds time_limit,
+                          const std::function<bool()>& give_up) {
     ProcessResult result;
     std::array<int, 2> ends;
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
@@ -138,19 +154,25 @@ ProcessResult run_program(const std::filesystem::path& program, const std::vecto
         return result;
     }
 
-    const bool in_time = drain(ends[0], result.output, std::chrono::steady_clock::now() + time_limit);
+    running = child;
+    const auto deadline = std::chrono::steady_clock::now() + time_limit;
+    const bool ended = drain(ends[0], result.output, deadline, give_up);
     ::close(ends[0]);
-    result.timed_out = !in_time;
-    if (result.timed_out) {
+    result.timed_out = !ended && std::chrono::steady_clock::now() >= deadline;
+    result.given_up = !ended && !result.timed_out;
+    if (!ended) {
         ::kill(child, SIGKILL);
     }
+    running = 0;
     int state = 0;
     pid_t waited = -1;
     do {
         waited = ::waitpid(child, &state, 0);
     } while (waited < 0 && errno == EINTR);
 
-    if (result.timed_out) {
+    if (result.given_up) {
+        result.problem = "given up";
+    } else if (result.timed_out) {
         result.problem = "no end within " + std::to_string(time_limit.count()) + " s";
     } else if (waited < 0) {
         result.problem = "its end could not be observed: " + reason_of(errno);

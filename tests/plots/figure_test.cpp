@@ -328,6 +328,10 @@ TEST(RunProgram, ReportsExitSignalAndTimeLimit) {
     EXPECT_EQ(run("exit 3", 10).problem, "exit code 3");
     EXPECT_EQ(run("kill -TERM $$", 10).problem, "stopped by signal 15");
     EXPECT_EQ(run("exec sleep 20", 1).problem, "no end within 1 s");
+    const ProcessResult given_up =
+        run_program(shell, {"-c", "exec sleep 20"}, "/", std::chrono::seconds(20), [] { return true; });
+    EXPECT_TRUE(given_up.given_up);
+    EXPECT_EQ(given_up.problem, "given up");
     EXPECT_EQ(run("yes | head -c 1000000", 10).output.size(), 65536U);
     EXPECT_FALSE(run_program("/nowhere/gnuplot", {}, "/", std::chrono::seconds(1)).succeeded);
     EXPECT_FALSE(run_program(shell, {}, "/nowhere", std::chrono::seconds(1)).succeeded);

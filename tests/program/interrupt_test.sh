@@ -91,7 +91,7 @@ kill -s INT "$child"
 wait_for_child
 expect_status 4
 
-title "Ctrl-C while gnuplot draws, as the terminal sends it to all: the picture is finished, the run is not"
+title "Ctrl-C while gnuplot draws, as the terminal sends it to all: no half picture is left, and no result"
 mkdir slow
 cat >slow/gnuplot <<'SCRIPT'
 #!/bin/sh
@@ -130,9 +130,39 @@ expect "the first one did not kill" kill -0 "$child"
 sleep 0.3
 kill -s INT "$child"
 wait_for_child
-kill "$(cat "$PIDS")"
 expect_status 130
 expect "no result.json" refuse test -e twice/result.json
+ended() {
+    ! kill -0 "$(cat "$PIDS")" 2>/dev/null
+}
+expect "gnuplot was ended, too" wait_until ended
+
+title "one Ctrl-C ends a gnuplot that hangs"
+rm "$PIDS"
+PATH=$work/slow:$PATH setsid "$program" run good.toml --out hung >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+wait_until test -s "$PIDS"
+kill -s INT "$child"
+wait_for_child
+echo "  ended after $waited ms"
+expect_status 4
+expect_error 'delabole: interrupted, 0 of 1 cases were analysed'
+expect "gnuplot was ended, too" wait_until ended
+expect "no scratch folder" test -z "$(find hung -mindepth 1 -type d ! -name figures)"
+
+title "one Ctrl-C ends what waits for input"
+mkfifo never
+exec 3<>never
+setsid "$program" check - >"$scratch/out" 2>"$scratch/err" <&3 &
+child=$!
+sleep 1
+expect "it waits" kill -0 "$child"
+kill -s INT "$child"
+wait_for_child
+echo "  ended after $waited ms"
+exec 3>&-
+expect_status 4
+expect_error 'delabole: interrupted: the work was ended where it was'
 
 title "what passes a Ctrl-C on and sends it twice does not count as a second one"
 status=0

@@ -99,6 +99,11 @@ for name in ...toml ..toml; do
     expect_status 2
     expect_error 'cannot be the name of a folder in results: name one with --out'
 done
+for name in ...toml ..toml; do
+    delabole run good.toml "$name" --out several
+    expect_status 2
+    expect_error "cannot be the name of a folder in several: rename $name"
+done
 expect "nothing was written" test "$(ls -A | sort)" == "$(sort <<<"$before")"
 delabole run ...toml --out dots --quiet
 expect_status 0

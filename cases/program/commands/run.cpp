@@ -207,6 +207,7 @@ ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
 Options with_own_folder(const Options& options, const CaseFile& file, std::size_t cases) {
     Options own = options;
     if (cases > 1 && !options.out.empty()) {
+        refuse_as_folder(stem_of(file), "in " + options.out.string() + ": rename " + file.name);
         own.out = options.out / stem_of(file);
         refuse_link(own.out);
     }

@@ -194,13 +194,29 @@ Provenance provenance_block(const Json& provenance) {
     return block;
 }
 
+namespace {
+
+bool too_late_for_figures() {
+    constexpr double still_drawn = 0.7;  // s; with the rest of the report, a command then ends within 2 s of Ctrl-C
+    return seconds_since_interrupt() > still_drawn;
+}
+
+// Of all cases of a command: a gnuplot that hangs is waited for once.
+GnuplotRuns gnuplot_runs{.give_up = too_late_for_figures};
+
+}  // namespace
+
+void refuse_as_folder(const std::string& name, const std::string& where) {
+    if (name.empty() || name == "." || name == "..") {
+        throw UsageError("\"" + name + "\" cannot be the name of a folder " + where);
+    }
+}
+
 std::filesystem::path result_path(const Options& options, const std::string& name) {
     if (!options.out.empty()) {
         return options.out;
     }
-    if (name.empty() || name == "." || name == "..") {
-        throw UsageError("\"" + name + "\" cannot be the name of a folder in results: name one with --out");
-    }
+    refuse_as_folder(name, "in results: name one with --out");
     return std::filesystem::path("results") / name;
 }
 
@@ -261,16 +277,15 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
     if (on_interrupt_ == OnInterrupt::stop) {
         stop_if_interrupted();
     }
-    constexpr double still_drawn = 0.7;  // s; with the rest of the report, a command then ends within 2 s of Ctrl-C
-    if (seconds_since_interrupt() > still_drawn) {
-        gnuplot_runs_.none_because = "the work was interrupted";
+    if (too_late_for_figures()) {
+        gnuplot_runs.none_because = "the work was interrupted";
     }
     std::string file = name;
     for (int number = 2; !written_.insert("figures/" + file).second; ++number) {
         file = name + "_" + std::to_string(number);
     }
     enter({"figures/" + file + ".gp", "figures/" + file + ".svg", "figures/" + file + ".png"});
-    const FigureFiles files = write_figure(in_shown_units(figure), path_ / "figures", file, gnuplot_runs_);
+    const FigureFiles files = write_figure(in_shown_units(figure), path_ / "figures", file, gnuplot_runs);
     if (files.write_error) {
         throw *files.write_error;
     }

@@ -97,9 +97,11 @@ Provenance provenance_block(const Json& provenance);
 // quickly repeated and end with Interrupted.
 enum class OnInterrupt { finish, stop };
 
+// Throws UsageError for a name that would mean another folder, such as ".." for the case file "...toml".
+void refuse_as_folder(const std::string& name, const std::string& where);
+
 // --out, or results/<name>, where <name> is made from the case and the command, so that `run` and `fit` of one case do
-// not overwrite each other. Throws UsageError for names that would mean another folder, such as ".." for the case file
-// "...toml".
+// not overwrite each other. Throws UsageError for names that refuse_as_folder refuses.
 std::filesystem::path result_path(const Options& options, const std::string& name);
 
 // Receives figures in place of a folder.
@@ -146,7 +148,6 @@ class ResultFolder {
     OnInterrupt on_interrupt_;
     std::function<void(double, const std::string&)> on_progress_ = {};
     FigureTaker taker_ = {};
-    mutable GnuplotRuns gnuplot_runs_ = {};
     mutable std::set<std::string> written_ = {};
 };
 

@@ -8,8 +8,8 @@ namespace delabole {
 
 // The first interrupt, request to terminate or loss of the terminal (SIGHUP) sets the flag; a second one, unless it
 // comes with the first, ends the program at once. If nobody has answered the first within another 1.8 s of processor
-// time, all threads together, the program ends with a message and exit code 4, so that work with nothing to finish need
-// not check the flag.
+// time, all threads together, or while the process waited for 1.8 s, the program ends with a message and exit code 4,
+// so that work with nothing to finish need not check the flag.
 void catch_interrupts();
 
 // Asking for the flag after it was set answers the interrupt: the program then ends in order, however long that takes.
