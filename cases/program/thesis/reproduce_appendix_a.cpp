@@ -126,8 +126,6 @@ Reproduction reproduce_thesis_program(const ResultFolder&, Report& report) {
                   "from the top and takes the greater of what each column needs. In limiting equilibrium both are the "
                   "same set of forces. The program presumes where the tension crack is (the first column behind the "
                   "crest that would not topple by itself); going down, the crack is found."});
-    reproduction.json["program_cal_friction_coefficient"] = program.friction;
-    reproduction.json["program_cal_iterations"] = program.iterations;
     return reproduction;
 }
 

@@ -101,9 +101,6 @@ Reproduction reproduce_fig_2_8(const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(fig_2_8_curves(solution)), "fig_2_8b",
                                            "Factor of safety against the filled fraction of z, at 27 kN/m3."));
     folder.write("fig_2_8.csv", csv.text());
-    result.json["z_m"] = *solution.z;
-    result.json["unit_weight_kN_per_m3"] = 27;
-    result.json["factor_half_full"] = solution.factor_half_full;
     return result;
 }
 

@@ -117,7 +117,6 @@ void compare(Reproduction& result, const std::string& what, const std::string& p
         std::ranges::all_of(needed, [](const ColumnMotion* motion) { return motion->time.has_value(); });
     result.rows.push_back(
         {what, printed, computed, "", comparable ? statement(met) : Remark("not compared: it comes to rest")});
-    result.json["statements"].push_back({{"what", what}, {"compared", comparable}, {"met", comparable && met}});
 }
 
 }  // namespace

@@ -191,7 +191,6 @@ void add_observation_3(Reproduction& result) {
         }
         result.rows.push_back({"3: cork, " + number_in_words(rotation) + " deg of rotation", "less friction, faster",
                                list_in_words(words), "", statement(std::ranges::is_sorted(forces))});
-        result.json["driving_force_by_falling_friction"].push_back(forces);
     }
 }
 

@@ -64,14 +64,10 @@ Reproduction reproduce_mechanisms(const ResultFolder&, Report& report) {
         } else if (verdict.joint_b_dip) {
             add_toppling(verdict, result);
         }
-        result.json["verdicts"][verdict.plate] = {{"profile", word_of(verdict.profile)},
-                                                  {"cracks", word_of(verdict.cracks)},
-                                                  {"movements", word_of(verdict.movements)}};
     }
     const double column = std::tan(mixture_friction) / std::tan(verdicts.front().joint_a_dip);
     result.rows.push_back({"2.II: factor of safety of an undermined column on joint A", "slides into the gap",
                            number_in_words(column), "", statement(column < 1)});
-    result.json["undermined_column"] = column;
     report.blocks.emplace_back(Heading{"Modes of failure tried on models (2.3.3.2)"});
     report.blocks.emplace_back(printed_table("Whether each mode can happen, by statics", result.rows));
     report.blocks.emplace_back(verdict_table(verdicts));

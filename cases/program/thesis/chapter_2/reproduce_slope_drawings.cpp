@@ -176,7 +176,6 @@ void add_traces(const KinematicsResult& sets, double face_dip_direction, const R
         result.rows.push_back({"Fig 2.1: mean of " + model_name(sets.joint_set[set].name) + " in the section",
                                std::string(printed[set].dip), human_number(apparent, 3) + " deg", "",
                                printed[set].remark});
-        result.json["apparent_dip_deg"][sets.joint_set[set].name] = apparent;
     }
     report.blocks.emplace_back(
         folder.draw(traces_figure(sets), "fig_2_1_traces", "Apparent dips across the face; the pit is to the left."));
@@ -222,8 +221,6 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
                                human_number(surface(degrees(40), degrees(70)).back().x(), 3) + " ft",
                            human_number(wide, 2) + " ft", "what the inclinations leave open"});
     report.blocks.emplace_back(printed_table("The printed inclinations", result.rows));
-    result.json["top_behind_foot_ft"] = {surface(degrees(45), degrees(75)).back().x(),
-                                         surface(degrees(40), degrees(70)).back().x()};
     return result;
 }
 

@@ -229,12 +229,6 @@ void add_trend(const PrintedTrend& printed, const Variation& series, Reproductio
          statement(met) + ": rank correlation " + human_number(rank.value, 2) + ", significance " +
              human_number(rank.significance, 2) +
              (printed.doubt.empty() ? "" : "; in the thesis too: " + printed.doubt)});
-    result.json["trends"].push_back({{"conclusion", printed.conclusion},
-                                     {"parameter", series.name},
-                                     {"response", printed.response},
-                                     {"rank_correlation", rank.value},
-                                     {"significance", rank.significance},
-                                     {"confirmed", met}});
 }
 
 // Fig 2.14 says beside its drawings how wide the failure is at the crest.

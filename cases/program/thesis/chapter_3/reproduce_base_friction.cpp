@@ -170,7 +170,6 @@ void add_base_columns(const States& states, Reproduction& result) {
                                human_number(columns, 3), number_in_words(std::floor(columns) - *state.base_columns),
                                statement(std::floor(columns) == *state.base_columns) +
                                    ": whole columns in face and surface of the slope"});
-        result.json["base_columns"][state.test] = columns;
     }
 }
 
@@ -205,8 +204,6 @@ void add_crack_angles(const States& states, Reproduction& result) {
                            statement(least > degrees(19.999))});
     result.rows.push_back({"its usual range", "mostly 25 to 35 deg", of(usual, cracked.size()), "",
                            statement(2 * usual > static_cast<long>(cracked.size()))});
-    result.json["crack_angle_deg"] = {
-        {"least", least / degrees(1)}, {"most", most / degrees(1)}, {"from_25_to_35", usual}, {"of", cracked.size()}};
 }
 
 // One line of Fig 3.2: right or left slopes over the height, in inches.

@@ -137,7 +137,6 @@ Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& 
                 models.push_back(&*last);
             }
         }
-        result.json["models"][plate] = models.size();
         std::string file = "plate_" + plate;
         std::ranges::replace(file, '.', '_');
         for (std::size_t first = 0; first < models.size(); first += 2) {

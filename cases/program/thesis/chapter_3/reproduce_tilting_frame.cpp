@@ -162,10 +162,8 @@ Reproduction reproduce_fig_3_6(const ResultFolder& folder, Report& report) {
                                " of 8 heights slide on the tin before they topple; the text does not say so"});
     result.json["one_column_more"] = {
         {"steps", rows.steps}, {"stabler", rows.stabler}, {"less_stable", rows.less_stable}};
-    result.json["pairs_gain_deg"] = rows.pairs_gain / degrees(1);
     result.json["parted_spread_deg"] = rows.parted_spread / degrees(1);
     result.json["heights_that_slide_on_tin"] = rows.slides_on_tin;
-    result.json["tin_difference_deg"] = rows.tin_difference / degrees(1);
     report.blocks.emplace_back(Heading{"Fig 3.6: columns of equal height"});
     report.blocks.emplace_back(printed_table("Statements of 3.3.2.1", result.rows));
     report.blocks.emplace_back(rows.table);

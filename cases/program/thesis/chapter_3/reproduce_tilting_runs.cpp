@@ -134,8 +134,6 @@ void add_single_columns(const ResultFolder& folder, Report& report, Reproduction
     result.rows.push_back({"cubes: 2 and 9 in", "about 1 deg",
                            angle_in_words(deficit(1, 0)) + " and " + angle_in_words(deficit(1, last)), "",
                            "cubes up to 1 mm out of line, an assumption"});
-    result.json["single_deficit_deg"] = {deficit(0, 0) / degrees(1), deficit(0, last) / degrees(1)};
-    result.json["cubes_deficit_deg"] = {deficit(1, 0) / degrees(1), deficit(1, last) / degrees(1)};
     Figure figure = tilt_figure("Fig 3.4 as runs: single columns", "height", "in");
     figure.series.emplace_back(single_column_theory(least_height, most_height));
     draw_curves(figure, curves);
@@ -184,8 +182,6 @@ void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction&
          "means of " + std::to_string(samples) + " rows each; four over one: at most " + angle_in_words(gain)});
     result.rows.push_back({"two columns on tin against plaster, 4 in and more", "quite close",
                            "within " + angle_in_words(on_tin), "", "lower ones slide on the tin first"});
-    result.json["equal_columns"] = {
-        {"stabler", stabler}, {"steps", steps}, {"gain_deg", gain / degrees(1)}, {"tin_deg", on_tin / degrees(1)}};
     Figure figure = tilt_figure("Fig 3.6 as runs: equal columns", "height", "in");
     draw_curves(figure, curves);
     report.blocks.emplace_back(folder.draw(figure, "fig_3_6_runs", "Fig 3.6: lines are means, dots single rows."));
@@ -336,9 +332,6 @@ void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& 
             folder.draw(frame_figure(made, frame, "Plate 3.XIV: nine columns at " + number + " deg"), file,
                         "Gravity downwards; F: the base."));
     }
-    result.json["nine_columns"] = {{"interface_friction_deg", row.friction.interface / degrees(1)},
-                                   {"crack_tilt_deg", failure->crack_tilt / degrees(1)},
-                                   {"crack_after", failure->crack_after}};
 }
 
 }  // namespace

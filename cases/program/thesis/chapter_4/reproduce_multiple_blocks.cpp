@@ -234,7 +234,6 @@ Reproduction reproduce_equations_14_to_19(const ResultFolder&, Report& report) {
     const double lost = form::equal_blocks(0, 2, a, b, mu, c);
     result.rows.push_back(
         {"(16) PBB", "lost", human_number(in_degrees(lost), 5) + " deg", "", "tan θ = b(1 + 3μc) / [a(1 + μc) - 2bμ]"});
-    result.json["(16) PBB"] = {{"derived_deg", in_degrees(lost)}};
     row("(17) FBB, equal thrusts", form::three_blocks_equal_thrusts(mu, c), c * (3 * m - 1) / (3 - m),
         "right, but over-determined: no dimension of the blocks in it");
     row("(18) FFPB", form::four_blocks_printed(a, b, mu, c), form::four_blocks_two_forward_one_backward(a, b, mu, c),

@@ -124,7 +124,6 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
             const int x = settled.x - run.printed_settled->x;
             const int y = settled.y - run.printed_settled->y;
             largest = std::max({largest, std::abs(x), std::abs(y)});
-            result.json["settled_cycles"][run.name] = {settled.x, settled.y};
             result.rows.push_back({"single block, " + run.name + ": cycles until CX / CY rest",
                                    in_words(*run.printed_settled), in_words(settled), in_words(SettledCycles{x, y}), "",
                                    settled_or_turned(run, compute(run, Engine::dropped))});
@@ -343,8 +342,6 @@ Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report) {
                 }
             }
         }
-        result.json["tilt_deg_at_1_deg"][row[0]] = {
-            {"gravity", tilts[0]}, {"base", tilts[4]}, {"clean_gravity", tilts[2]}, {"clean_base", tilts[6]}};
         result.rows.push_back({"tilted from the horizontal, 1 deg in " + row[0] + " cycles: turned by 1 deg",
                                "very unstable", row[5] + " deg (base turned)", row[1] + " deg (gravity turned)",
                                "18.43 deg by equilibrium", row[7] + " deg (base turned)"});

@@ -195,9 +195,6 @@ Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report) {
                       "axis, now that of the base, goes to the dashpot as the movement of one cycle."});
         report.blocks.emplace_back(mechanism(fine, change, print_at(every_cycle, cycle - 1)));
         result.json["jump_in"] = (change.stored_position - change.new_position) / inch;
-        result.json["dashpot_force_N_per_m"] = change.dashpot_force;
-        result.json["from"] = std::string(word_of(change.from));
-        result.json["to"] = std::string(word_of(change.to));
         report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.13: blow-out of the 7 inch blocks", fine,
                                                              every_cycle, {cycle - 1, cycle + 2, cycle + 6}),
                                                "fig_5_13", "Just before, and two and six cycles after."));

@@ -225,7 +225,6 @@ Table observations_by_friction(const std::vector<Chapter5Run>& runs, Reproductio
             table.rows.push_back(row);
         }
     }
-    result.json["by_friction"] = {{"slowest_cycle", slowest}, {"slowest_at_deg", slowest_at}};
     result.rows.push_back(
         {"6e6 N/m: slowest with a friction of 20 to 25 deg", "7000, 20 deg",
          std::to_string(slowest) + ", " + human_number(slowest_at, 3) + " deg", "",
@@ -282,8 +281,6 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
                                                                                         : std::optional(found));
         }
     }
-    result.json["cycles"] = {{"stiff", cycle[0]}, {"soft", cycle[1]}, {"half_step", cycle[2]}};
-    result.json["damping_cycles"] = {cycle[3], cycle[4], cycle[5]};
     Table spread{"Least and greatest cycle of that displacement, coordinates shifted by one digit, 30 starts each",
                  {"run", "blow out"_number, "least"_number, "greatest"_number}};
     for (std::size_t number = 0; number < all.size(); ++number) {

@@ -216,8 +216,6 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
     result.json["printed_totals_within_range"] = within;
     result.json["printed_totals"] = count;
     result.json["senses_as_printed"] = senses;
-    result.json["senses"] = sensed;
-    result.json["clean_printed_totals_within_range"] = clean_within;
     result.json["clean_senses_as_printed"] = clean_senses;
     result.rows.push_back({"printed totals within the range of the starts", std::to_string(count),
                            std::to_string(within), "", "", std::to_string(clean_within)});

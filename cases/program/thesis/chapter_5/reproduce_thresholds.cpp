@@ -212,7 +212,6 @@ void step_and_damping_part(Report& report, Reproduction& result) {
                 of_step = std::max(of_step, std::abs(found.dropped[index] - reference->dropped[index]));
             }
         }
-        result.json["step_and_damping"].push_back(json_of(found));
     }
     result.json["preloaded_spread_deg"] = greatest - least;
     result.json["dropped_spread_by_step_deg"] = of_step / degrees(1);
