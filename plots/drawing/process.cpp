@@ -155,11 +155,10 @@ ProcessResult run_program(const std::filesystem::path& program, const std::vecto
     }
 
     running = child;
-    const auto deadline = std::chrono::steady_clock::now() + time_limit;
-    const bool ended = drain(ends[0], result.output, deadline, give_up);
+    const bool ended = drain(ends[0], result.output, std::chrono::steady_clock::now() + time_limit, give_up);
     ::close(ends[0]);
-    result.timed_out = !ended && std::chrono::steady_clock::now() >= deadline;
-    result.given_up = !ended && !result.timed_out;
+    result.given_up = !ended && give_up && give_up();
+    result.timed_out = !ended && !result.given_up;
     if (!ended) {
         ::kill(child, SIGKILL);
     }
