@@ -88,4 +88,10 @@ expect_house_broken "a source that does not include its own header first"
 build_house
 yes '// a line' | head -n 501 >>"$house/lib/water/water.hpp" || true
 expect_house_broken "a source of too many lines"
+build_house
+mkdir -p "$house/plots/drawing"
+for number in {1..20}; do
+    yes '// a line' | head -n 450 >"$house/plots/drawing/figure_$number.hpp" || true
+done
+expect_house_broken "a room of too many lines"
 exit "$failed"
