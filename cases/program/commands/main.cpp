@@ -288,7 +288,8 @@ struct Program {
         CLI::App* grid = add_on_case("grid", "An output over one or two inputs: curves or a map, and all points as CSV",
                                      "Case file; - is standard input");
         grid->add_option("--vary", options.vary,
-                         "Input and its values, \"input=from:to:points\" or \"input=value,value\"; twice for a map")
+                         "Input, or another number of the case by its key, and its values, \"input=from:to:points\" or "
+                         "\"input=value,value\"; twice for a map")
             ->type_name("INPUT=VALUES")
             ->required()
             ->allow_extra_args(false);
