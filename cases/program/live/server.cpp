@@ -135,7 +135,7 @@ struct LiveServer::Parts {
     using Answer = std::function<void(const Json& request, httplib::Response& response)>;
 
     void answer(const std::string& path, Answer with) {
-        server.Post(path, [this, with = std::move(with)](const httplib::Request& request, httplib::Response& response) {
+        server.Post(path, [with = std::move(with)](const httplib::Request& request, httplib::Response& response) {
             const Json json = Json::parse(request.body, nullptr, false);
             if (json.is_discarded()) {
                 refuse(response, 400, "the request is not JSON");
