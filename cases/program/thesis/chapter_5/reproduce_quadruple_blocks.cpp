@@ -44,9 +44,9 @@ Table history_table(const Chapter5Run& run, const SlidingHistory& printed, const
     for (const auto& [cycle, blocks] : printed) {
         std::vector<std::string>& row = table.rows.emplace_back(std::vector{std::to_string(cycle)});
         for (std::size_t block = 0; block < blocks.size(); ++block) {
-            const auto sliding = [&](BaseSliding sense) {
+            const auto sliding = [&, at = cycle](BaseSliding sense) {
                 return std::to_string(std::ranges::count_if(
-                    starts, [&, at = cycle](const SlidingHistory& one) { return one.at(at)[block] == sense; }));
+                    starts, [&](const SlidingHistory& one) { return one.at(at)[block] == sense; }));
             };
             row.push_back(letter_of(blocks[block]));
             row.push_back(sliding(BaseSliding::forward) + " / " + sliding(BaseSliding::backward));
