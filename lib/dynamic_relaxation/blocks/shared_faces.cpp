@@ -3,8 +3,6 @@
 #include "dynamic_relaxation/blocks/neighbours.hpp"
 
 #include <algorithm>
-#include <tuple>
-#include <utility>
 
 namespace delabole {
 
@@ -12,40 +10,6 @@ namespace {
 
 constexpr double near = 1e-3;  // in shortest edges; contacts, too, treat a joint with a smaller initial opening as
                                // closed
-
-// A block lies within the band between its longest edge and its corner farthest from that edge. Bounding boxes of flat,
-// inclined blocks overlap by the thousand where these bands do not.
-struct Band {
-    PlanePoint<> normal;
-    double low;  // from the block's centroid
-    double high;
-
-    Band(const Bodies& bodies, std::size_t block) {
-        const CornerRange& range = bodies.range[block];
-        std::size_t longest = range.begin;
-        for (std::size_t edge = range.begin; edge < range.end; ++edge) {
-            longest = bodies.length[edge] > bodies.length[longest] ? edge : longest;
-        }
-        normal = bodies.normal(longest);
-        std::tie(low, high) = extent(bodies, block);
-    }
-    std::pair<double, double> extent(const Bodies& bodies, std::size_t block) const {
-        double least = normal.dot(bodies.corner[bodies.range[block].begin]);
-        double greatest = least;
-        for (std::size_t corner = bodies.range[block].begin + 1; corner < bodies.range[block].end; ++corner) {
-            const double at = normal.dot(bodies.corner[corner]);
-            least = std::min(least, at);
-            greatest = std::max(greatest, at);
-        }
-        return {least, greatest};
-    }
-    // `between` leads from this block's centroid to the other's.
-    bool is_clear_of(const Bodies& bodies, std::size_t other, const PlanePoint<>& between, double margin) const {
-        const auto [least, greatest] = extent(bodies, other);
-        const double offset = normal.dot(between);
-        return offset + least > high + margin || offset + greatest < low - margin;
-    }
-};
 
 }  // namespace
 
@@ -91,16 +55,7 @@ std::vector<SharedFace> find_shared_faces(const Bodies& bodies) {
     const std::vector<char> none_removed(bodies.size(), 0);
     const double margin = near * *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end());
     const std::vector<double> reach(bodies.size(), margin / 2);
-    std::vector<Band> bands;
-    bands.reserve(bodies.size());
-    for (std::size_t block = 0; block < bodies.size(); ++block) {
-        bands.emplace_back(bodies, block);
-    }
     for (const auto& [first, second] : neighbouring_blocks(bodies, unmoved, none_removed, reach)) {
-        const PlanePoint<> between = bodies.centroid[second] - bodies.centroid[first];
-        if (bands[first].is_clear_of(bodies, second, between, near * bodies.shortest_edge[first])) {
-            continue;
-        }
         for (std::size_t edge = bodies.range[first].begin; edge < bodies.range[first].end; ++edge) {
             for (std::size_t other = bodies.range[second].begin; other < bodies.range[second].end; ++other) {
                 if (const std::optional<SharedFace> face = shared_face(bodies, edge, other)) {

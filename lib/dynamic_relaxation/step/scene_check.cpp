@@ -350,40 +350,6 @@ SceneFault check_scene(const RelaxationScene& scene) {
     return {};
 }
 
-namespace {
-
-// Longest edge of each block.
-std::vector<std::size_t> longest_edges(const Bodies& bodies) {
-    std::vector<std::size_t> longest;
-    longest.reserve(bodies.size());
-    for (const CornerRange& range : bodies.range) {
-        const auto begin = bodies.length.begin();
-        const auto edge = std::max_element(begin + static_cast<std::ptrdiff_t>(range.begin),
-                                           begin + static_cast<std::ptrdiff_t>(range.end));
-        longest.push_back(static_cast<std::size_t>(edge - begin));
-    }
-    return longest;
-}
-
-// Whether every corner of a block lies clearly outside an edge of another one. Their `initial_distance` is then
-// positive and leaves no contact that may overlap, but costs several times as much.
-bool lies_outside(const Bodies& bodies, std::size_t block, std::size_t edge, double margin) {
-    constexpr double clearly = 1e-2;  // in shortest edges, five times the distance at which `initial_distance` finds a
-                                      // contact
-    const std::size_t other = bodies.block_of[edge];
-    const double clearance = margin + clearly * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
-    const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
-    const PlanePoint<> normal = bodies.normal(edge);
-    for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
-        if (!(normal.dot(between + (bodies.corner[corner] - bodies.corner[edge])) > clearance)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-}  // namespace
-
 SceneFault check_start(const RelaxationScene& scene) {
     constexpr double deepest_in_settlements = 10;
     const Bodies bodies = make_bodies(scene);
@@ -397,18 +363,12 @@ SceneFault check_start(const RelaxationScene& scene) {
     };
     const std::vector<BlockPair> pairs =
         neighbouring_blocks(bodies, unmoved, none_removed, std::vector<double>(bodies.size(), margin / 2));
-    const std::vector<std::size_t> longest = longest_edges(bodies);
     // Pairs are checked one at a time: a list of all contacts would take most of the memory and of the time of a check.
     PairSearch search(scene, bodies, 0);
     const ContactList none;
     PairContacts found;
     for (const BlockPair& pair : pairs) {
         const auto [first, second] = pair;
-        // Flat, inclined blocks lie within the bounding boxes of a thousand others.
-        if (lies_outside(bodies, second, longest[first], margin / 2) ||
-            lies_outside(bodies, first, longest[second], margin / 2)) {
-            continue;
-        }
         // Half the margin is safe from rounding: the search computes the same distance by other sums.
         const InitialDistance initial = initial_distance(bodies, first, second, margin / 2);
         if (initial.may_overlap) {
