@@ -72,7 +72,7 @@ std::string models_that_have(const std::string& key) {
     return names.empty() ? "" : "; it belongs to " + list_in_words(names);
 }
 
-// What a case says of its model alone.
+// The entries of a case that describe its model and how it is run, without studies and titles.
 Node model_part(const Node& tree) {
     constexpr std::array others{"title", "description", "sources",     "expect",        "sweep",
                                 "fit",   "report",      "sensitivity", "support_design"};

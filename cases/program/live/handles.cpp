@@ -49,7 +49,7 @@ void add_spoke(const std::vector<Quantity>& inputs, std::vector<Handle>& handles
     }
 }
 
-// Of each pattern the lowest head, which stays on the face, and the end of its bolt.
+// Adds two handles for each pattern: the lowest head, which stays on the face, and the end of its bolt.
 template <class Support>
 void add_support(const SlopeSection<>& slope, const std::vector<Support>& support, std::vector<Handle>& handles) {
     for (std::size_t index = 0; index < support.size(); ++index) {

@@ -32,12 +32,12 @@ class LiveMotion {
     // and nothing changes, where the blocks are not the same.
     bool change(const RelaxationStudy& study);
 
-    // Where everything is, as little-endian 32-bit floats: time in s, steps, the number of verdicts so far (0 where it
-    // is open), the time in s at which a block passed the thresholds of failure (negative: none), applied work,
-    // kinetic, elastic, friction, damping and residual energy in J/m, unbalanced ratio, numbers of blocks, of forces
-    // and of bolts; then x, y and angle of each block since the start (m, rad), of each contact force its place (m) and
-    // components (N/m), and of each bolt that pulls, at every joint where it does, its ends (m), its force (N/m), and
-    // by how much it has yielded (m).
+    // Returns the positions of all blocks and the forces, as little-endian 32-bit floats: time in s, steps, the number
+    // of verdicts so far (0 where it is open), the time in s at which a block passed the thresholds of failure
+    // (negative: none), applied work, kinetic, elastic, friction, damping and residual energy in J/m, unbalanced ratio,
+    // numbers of blocks, of forces and of bolts; then x, y and angle of each block since the start (m, rad), of each
+    // contact force its place (m) and components (N/m), and of each bolt that pulls, at every joint where it does, its
+    // ends (m), its force (N/m), and by how much it has yielded (m).
     std::string picture() const;
 
   private:

@@ -1,4 +1,4 @@
-// What a page asks, in JSON: its members, and the grid of two inputs that a map is drawn over.
+// Reads the requests of a page, which are JSON: their members, and the grid of two inputs over which a map is drawn.
 #pragma once
 
 #include "cases/program/results/result_folder.hpp"
@@ -13,7 +13,7 @@
 
 namespace delabole {
 
-// What the page has asked for cannot be done; the text is for its user.
+// Thrown if a request of the page cannot be met; the text is for the user of the page.
 class LiveRefusal : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -111,8 +111,8 @@ struct LiveServer::Parts {
         return true;
     }
 
-    // Of what the page itself is refused, its user reads on the page. What the rest says is not repeated: it may be
-    // anything.
+    // Tells the terminal of refusals, except those that the page shows to its user. The text of a request is not
+    // repeated, because it may be anything.
     void tell_of(const httplib::Response& response) {
         using std::chrono_literals::operator""s;
         const std::scoped_lock lock(telling);

@@ -371,8 +371,8 @@ Json LiveSession::support(const Json& request) const {
     return json;
 }
 
-// What [support_design] may choose, where it is not as a run would choose it; within rounding, since the page has its
-// values in display units.
+// Returns the support that was chosen by hand, or nothing if it is the one that a run would choose. The two are
+// compared within rounding, since the page has its values in display units.
 std::vector<Condition> LiveSession::chosen_support(const std::vector<Condition>& conditions) const {
     CaseFile designed = file_;
     designed.model = with_conditions(file_.model, conditions);

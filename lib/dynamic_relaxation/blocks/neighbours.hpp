@@ -12,8 +12,8 @@ namespace delabole {
 using BlockPair = std::pair<std::uint32_t, std::uint32_t>;  // lower number first
 
 // All pairs whose bounding boxes, extended on every side by the `reach` of each block, overlap; at least one of the two
-// is free, and none is removed. Where blocks are crowded, some pairs that are farther apart than their reaches are left
-// out. The order is increasing, so that nothing depends on the position of the grid.
+// is free, and none is removed. Some pairs that are farther apart than their reaches are left out, above all among
+// crowded blocks. The order is increasing, so that nothing depends on the position of the grid.
 std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vector<Motion>& motion,
                                            const std::vector<char>& removed, const std::vector<double>& reach);
 

@@ -43,8 +43,7 @@ class Bisection {
     }
 
     CriticalValue find() {
-        const double should_stand = critical_.stands;
-        const std::optional<bool> first = stands_at(should_stand);
+        const std::optional<bool> first = stands_at(critical_.stands);
         if (!first) {
             return critical_;
         }
@@ -60,7 +59,7 @@ class Bisection {
             critical_.status = CriticalStatus::stands_everywhere;
             return critical_;
         }
-        while (bisect() && mean_ == BracketMean::geometric && rested_in_motion_ && fails_milder(should_stand)) {
+        while (bisect() && mean_ == BracketMean::geometric && rested_in_motion_ && fails_milder()) {
         }
         return critical_;
     }
@@ -108,7 +107,8 @@ class Bisection {
 
     // Whether the blocks fail at a value milder than the one at which bisection found them to stand; the bracket then
     // lies between that value and the nearest milder one at which they stood. A run without an answer is ignored here.
-    bool fails_milder(double should_stand) {
+    bool fails_milder() {
+        const double should_stand = stood_.front();
         const double found = critical_.stands;
         for (const double share : milder_shares) {
             const double value = stands_low_ ? found * share : found / share;

@@ -164,7 +164,7 @@ std::string water_too_low(PlaneFailure<> problem, const std::string& key) {
                           : ": must be at least " + least);
 }
 
-// What is wrong with the value of the key, with the limit that it violates; empty if no number adds to
+// Says what is wrong with the value of the key and which limit it violates. Empty if no number can be added to
 // stated_impossibility.
 std::string broken_limit(const PlaneFailure<>& problem, std::string_view failure, const std::string& key) {
     if (failure == "plane_does_not_daylight") {
