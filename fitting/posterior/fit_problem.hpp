@@ -265,6 +265,7 @@ struct SurrogateSettings {
     std::optional<int> first_runs;
     double tolerance = 0.1;
     double give_up_below = 1e-3;
+    int runs_of_claim = 4;
     static constexpr auto fields() {
         using S = SurrogateSettings;
         constexpr Interval runs_range = within(12, 2000);  // with more runs the surrogate takes longer than the model
@@ -278,6 +279,8 @@ struct SurrogateSettings {
             with_default(number("give_up_below", &S::give_up_below, Dimension::ratio, right_open(0, 1),
                                 "no more runs once the evidence, with twice its error, is less than this share of the "
                                 "best of mechanisms of another kind; 0 for never")),
+            with_default(number("runs_of_claim", &S::runs_of_claim, Dimension::ratio, within(1, 1000),
+                                "draws of the posterior at which a claim about such a mechanism is evaluated")),
         };
     }
 };

@@ -61,11 +61,14 @@ TestFinding judge(const ConclusionTest& test, const ClaimOfMechanisms& claim, co
     return finding;
 }
 
-std::vector<std::vector<double>> points_of(const MechanismFit& fit, bool costly) {
+std::vector<std::vector<double>> points_of(const FitProblem& problem, const Mechanism& mechanism,
+                                           const MechanismFit& fit) {
+    const std::size_t most_draws = mechanism.model.costly
+                                       ? static_cast<std::size_t>(problem.settings.surrogate.runs_of_claim)
+                                       : most_draws_of_claim;
     std::vector<std::vector<double>> points;
     if (fit.posterior) {
-        for (const Draw& draw :
-             thinned(fit.posterior->posterior.draws, costly ? most_runs_of_claim : most_draws_of_claim)) {
+        for (const Draw& draw : thinned(fit.posterior->posterior.draws, most_draws)) {
             points.push_back(draw.parameters);
         }
     }
@@ -104,7 +107,7 @@ class QuantityJudge {
         if (!quantity || (claim.against && !other)) {
             return finding;
         }
-        const auto points = points_of(*fit, mechanism->model.costly);
+        const auto points = points_of(problem_, *mechanism, *fit);
         std::vector<double> values = values_of(*quantity, points, mechanism->model.costly);
         if (other) {
             const std::vector<double> less = values_of(*other, points, mechanism->model.costly);
@@ -179,9 +182,8 @@ std::vector<ConclusionFinding> judge_conclusions(const FitProblem& problem, cons
                 const auto fit = std::ranges::find(result.mechanisms, claim->mechanism, &MechanismFit::name);
                 const auto mechanism = std::ranges::find(problem.mechanisms, claim->mechanism, &Mechanism::name);
                 if (fit != result.mechanisms.end()) {
-                    const bool costly = mechanism->model.costly;
-                    expected += static_cast<long>(points_of(*fit, costly).size()) * (claim->against ? 2 : 1) *
-                                (costly ? weight_of_run : 1);
+                    expected += static_cast<long>(points_of(problem, *mechanism, *fit).size()) *
+                                (claim->against ? 2 : 1) * (mechanism->model.costly ? weight_of_run : 1);
                 }
             }
         }

@@ -4,8 +4,8 @@
 // standard errors. It is contradicted if the opposite is as probable as the claim: a claim of at least 0.9 if the
 // probability is less than 0.1. A claim about a quantity is evaluated at draws of the mechanism's posterior (at the
 // best point if none was sampled): it is confirmed if it holds in 95 % of those that have an answer, and contradicted
-// if it holds in no more than 5 %. For a costly mechanism only most_runs_of_claim draws are evaluated, so the two
-// verdicts then mean no more than "in all of them" and "in none".
+// if it holds in no more than 5 %. For a costly mechanism only SurrogateSettings::runs_of_claim draws are evaluated; of
+// fewer than 20 the two verdicts mean no more than "in all of them" and "in none".
 #pragma once
 
 #include "fitting/mechanism/fit_result.hpp"
@@ -16,7 +16,6 @@
 namespace delabole {
 
 inline constexpr std::size_t most_draws_of_claim = 1000;
-inline constexpr std::size_t most_runs_of_claim = 4;
 
 enum class ConclusionVerdict {
     confirmed,     // every claim holds
