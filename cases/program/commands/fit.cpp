@@ -77,9 +77,9 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     KeptEvaluations kept(options, folder);
     for (std::size_t index = 0; index < problem.mechanisms.size(); ++index) {
         const FitMechanism& mechanism = file.fit->mechanisms[index];
-        kept.keep(problem.mechanisms[index].model, mechanism.model);
+        kept.keep(problem.mechanisms[index].model, mechanism.model, mechanism.name);
         if (mechanism.coarse) {
-            kept.keep(*problem.mechanisms[index].coarse, *mechanism.coarse);
+            kept.keep(*problem.mechanisms[index].coarse, *mechanism.coarse, mechanism.name + "_coarse");
         }
     }
     problem.settings.ranks = options.ranks;
@@ -89,7 +89,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     const std::vector<ConclusionFinding> findings = with_progress(options, [&](const FitProgressCallback& progress) {
         return judge_conclusions(problem, result, progress, &interrupt_flag());
     });
-    kept.count_all();
+    kept.collect();
     if (!leads(options)) {
         return ExitCode::ok;
     }
@@ -122,6 +122,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     source["evaluations_per_start"] = problem.settings.evaluations_per_start;
     source["seed"] = problem.settings.seed;
     kept.enter(source);
+    kept.write_runs(folder);
     documents.json["provenance"] = source;
     append_inputs(file, report);
     report.blocks.emplace_back(evidence_table(problem));

@@ -106,6 +106,12 @@ void add_parts(CLI::App& command, Options& options, unsigned parts) {
                         "missing: a study that was stopped goes on from it, and others of the same model use them too; "
                         "by default evaluations.sqlite in the result folder")
             ->type_name("FILE");
+        command
+            .add_option("--runs", options.runs,
+                        "Folder with tables of runs of costly models, <mechanism>_runs.csv, which are not made again, "
+                        "whatever program made them; a table of all runs that the study used is left in the result "
+                        "folder")
+            ->type_name("DIR");
     }
 }
 

@@ -99,12 +99,12 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     const ResultFolder folder(options, stem_of(file) + "_recovery", OnInterrupt::finish);
     KeptEvaluations kept(options, folder);
     for (std::size_t index = 0; index < problem.mechanisms.size(); ++index) {
-        kept.keep(problem.mechanisms[index].model, file.fit->mechanisms[index].model);
+        kept.keep(problem.mechanisms[index].model, file.fit->mechanisms[index].model, file.fit->mechanisms[index].name);
     }
     problem.settings.ranks = options.ranks;
     const std::vector<MechanismRecovery> recoveries = recover_all(problem, options);
     answer_interrupt();
-    kept.count_all();
+    kept.collect();
     if (!leads(options)) {
         return ExitCode::ok;
     }
@@ -122,6 +122,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     source["at"] = options.at_best ? "best" : "prior";
     source["seed"] = problem.settings.seed;
     kept.enter(source);
+    kept.write_runs(folder);
     json["provenance"] = source;
     append_inputs(file, report);
     return write_study({file, json, documents.screen + kept.summary(), reserved}, folder, options, report);

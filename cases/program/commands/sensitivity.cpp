@@ -47,11 +47,11 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     SensitivityProblem problem = sensitivity_problem_of(file, options.threads, options.seed);
     const ResultFolder folder(options, stem_of(file) + "_sensitivity", OnInterrupt::finish);
     KeptEvaluations kept(options, folder);
-    kept.keep(problem.model, file.model);
+    kept.keep(problem.model, file.model, stem_of(file));
     problem.ranks = options.ranks;
     const SensitivityResult result = study_with_progress(problem, options);
     answer_interrupt();
-    kept.count_all();
+    kept.collect();
     if (!leads(options)) {
         return ExitCode::ok;
     }
@@ -75,6 +75,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     Json source = provenance(file, "sensitivity", options, watch.seconds());
     source["study_seconds"] = result.wall_seconds;
     source["seed"] = problem.study.seed;
+    kept.write_runs(folder);
     kept.enter(source);
     json["provenance"] = source;
     append_inputs(file, report);

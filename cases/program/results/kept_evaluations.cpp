@@ -1,6 +1,7 @@
 #include "cases/program/results/kept_evaluations.hpp"
 
 #include "cases/program/case/case_writer.hpp"
+#include "cases/program/reader/ordinary_file.hpp"
 #include "fitting/work/ranks.hpp"
 #include "numerics/archive.hpp"
 #include "plots/drawing/atomic_file.hpp"
@@ -12,16 +13,76 @@
 namespace delabole {
 
 template <class Type>
+requires std::same_as<std::remove_const_t<Type>, RunTable::Outcome>
+auto members_of(Type& outcome) {
+    return std::tie(outcome.failure, outcome.outputs, outcome.profile);
+}
+
+template <class Type>
 requires std::same_as<std::remove_const_t<Type>, StoreTraffic>
 auto members_of(Type& traffic) {
     return std::tie(traffic.made, traffic.found, traffic.seconds_made, traffic.seconds_found);
 }
 
+namespace {
+
+std::string file_of_runs(const std::string& name) {
+    return name + "_runs.csv";
+}
+
+// The table in a file, `empty` where there is none.
+RunTable known_runs(const std::filesystem::path& path, RunTable empty) {
+    constexpr std::size_t largest = std::size_t{256} << 20;
+    if (std::error_code ignored; !std::filesystem::exists(path, ignored)) {
+        return empty;
+    }
+    const FileContent content = read_ordinary_file(path, "a table of runs", largest);
+    if (!content.fault.empty()) {
+        throw StoreError(path.string() + ' ' + content.fault);
+    }
+    try {
+        empty.read(content.bytes);
+    } catch (const RunTableError& error) {
+        throw StoreError(path.string() + ", " + error.what());
+    }
+    return empty;
+}
+
+// Gives every rank the runs of all.
+void exchange_runs(const Ranks& ranks, TabledRuns& runs) {
+    ArchiveWriter writer;
+    writer.put(runs.found);
+    writer.put(static_cast<std::uint64_t>(runs.used.runs().size()));
+    for (const auto& [key, outcome] : runs.used.runs()) {
+        writer.put(key);
+        writer.put(outcome);
+    }
+    runs.found = 0;
+    for (const std::string& bytes : ranks.exchange(writer.bytes())) {
+        ArchiveReader reader(bytes);
+        long found = 0;
+        std::uint64_t count = 0;
+        reader.get(found);
+        reader.get(count);
+        runs.found += found;
+        for (; count > 0; --count) {
+            RunTable::Key key;
+            RunTable::Outcome outcome;
+            reader.get(key);
+            reader.get(outcome);
+            runs.used.add(key, std::move(outcome));
+        }
+    }
+}
+
+}  // namespace
+
 KeptEvaluations::KeptEvaluations(const Options& options, const ResultFolder& folder)
     : path_(options.store.empty() ? folder.path() / "evaluations.sqlite" : options.store),
       in_result_folder_(options.store.empty()),
       ranks_(options.ranks),
-      quiet_(options.quiet) {
+      quiet_(options.quiet),
+      runs_(options.runs) {
     if (ranks_ == nullptr) {
         return;
     }
@@ -32,7 +93,7 @@ KeptEvaluations::KeptEvaluations(const Options& options, const ResultFolder& fol
     }
 }
 
-void KeptEvaluations::keep(ModelInterface& model, const CaseModel& of) {
+void KeptEvaluations::keep(ModelInterface& model, const CaseModel& of, const std::string& name) {
     if (!model.costly) {
         return;
     }
@@ -46,10 +107,17 @@ void KeptEvaluations::keep(ModelInterface& model, const CaseModel& of) {
                       << path_.string() << '\n';
         }
     }
-    model = stored(std::move(model), *store_, resolved_model(of));
+    const std::string description = resolved_model(of);
+    model = stored(std::move(model), *store_, description);
+    if (!runs_.empty()) {
+        const RunTable empty(model, description);
+        TabledRuns& runs =
+            tabled_.try_emplace(name, known_runs(runs_ / file_of_runs(name), empty), empty).first->second;
+        model = tabled(std::move(model), runs);
+    }
 }
 
-void KeptEvaluations::count_all() {
+void KeptEvaluations::collect() {
     if (!store_) {
         return;
     }
@@ -67,6 +135,15 @@ void KeptEvaluations::count_all() {
             traffic_.seconds_made += one.seconds_made;
             traffic_.seconds_found += one.seconds_found;
         }
+        for (auto& [name, runs] : tabled_) {
+            exchange_runs(*ranks_, runs);
+        }
+    }
+}
+
+void KeptEvaluations::write_runs(const ResultFolder& folder) const {
+    for (const auto& [name, runs] : tabled_) {
+        folder.write(file_of_runs(name), runs.used.text());
     }
 }
 
@@ -77,6 +154,9 @@ void KeptEvaluations::enter(Json& provenance) const {
         provenance["evaluations_found"] = traffic_.found;
         provenance["evaluation_seconds_made"] = traffic_.seconds_made;
         provenance["evaluation_seconds_found"] = traffic_.seconds_found;
+        if (!tabled_.empty()) {
+            provenance["evaluations_from_tables"] = found_in_tables();
+        }
     }
 }
 
@@ -89,7 +169,19 @@ std::string KeptEvaluations::summary() const {
     if (traffic_.seconds_found > 0) {
         text += ", which saved " + human_number(traffic_.seconds_found, 2) + " s of one processor";
     }
-    return text + '\n';
+    text += '\n';
+    if (!tabled_.empty()) {
+        text += std::to_string(found_in_tables()) + " found in tables of runs in " + runs_.string() + '\n';
+    }
+    return text;
+}
+
+long KeptEvaluations::found_in_tables() const {
+    long found = 0;
+    for (const auto& [name, runs] : tabled_) {
+        found += runs.found;
+    }
+    return found;
 }
 
 void KeptEvaluations::say_how_to_go_on() const {

@@ -45,6 +45,7 @@ struct Options {
     bool with_costly = false;             // the costly ones as well
     std::vector<std::string> vary;        // grid: input=from:to:points
     std::vector<std::string> outputs;     // grid: outputs asked for at each point
+    std::filesystem::path runs;           // folder with tables of runs of costly models; empty: none
     std::filesystem::path store;          // of evaluations; empty: evaluations.sqlite in the result folder
 };
 
