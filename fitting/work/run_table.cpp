@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <iomanip>
@@ -75,6 +77,30 @@ Polyline corners_of(const Polyline& line) {
     return kept;
 }
 
+constexpr int digits_of_inputs = 12;
+constexpr int digits_of_outputs = 9;
+constexpr int digits_of_profile = 6;
+
+double rounded(double value, int digits) {
+    std::array<char, 32> text{};
+    const auto written =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    std::from_chars(text.data(), written.ptr, value);
+    return value;
+}
+
+// What a reader of the table will find.
+RunTable::Outcome as_written(const Prediction& prediction) {
+    RunTable::Outcome outcome{std::string(prediction.failure), prediction.outputs, corners_of(prediction.profile)};
+    for (double& output : outcome.outputs) {
+        output = rounded(output, digits_of_outputs);
+    }
+    for (Point& corner : outcome.profile) {
+        corner = {rounded(corner.x(), digits_of_profile), rounded(corner.y(), digits_of_profile)};
+    }
+    return outcome;
+}
+
 bool agree(const RunTable::Key& one, const RunTable::Key& other) {
     constexpr double tolerance = 1e-9;
     return std::ranges::equal(one, other, [](const auto& left, const auto& right) {
@@ -126,7 +152,7 @@ Columns columns_of(std::string_view header, std::size_t line, const std::vector<
 
 double number_of(std::string_view cell, std::size_t line) {
     const auto number = bare_number(cell);
-    if (!number || !std::isfinite(*number)) {
+    if (!number || std::isnan(*number)) {
         refuse(line, "'" + std::string(cell) + "' is no number");
     }
     return *number;
@@ -208,8 +234,8 @@ void RunTable::read(std::string_view text) {
     runs_.merge(runs);
 }
 
-void RunTable::add(const Key& key, Outcome outcome) {
-    runs_.try_emplace(key, std::move(outcome));
+const RunTable::Outcome& RunTable::add(const Key& key, Outcome outcome) {
+    return runs_.try_emplace(key, std::move(outcome)).first->second;
 }
 
 const RunTable::Outcome* RunTable::find(const Key& key) const {
@@ -218,9 +244,6 @@ const RunTable::Outcome* RunTable::find(const Key& key) const {
 }
 
 std::string RunTable::text() const {
-    constexpr int digits_of_inputs = 12;
-    constexpr int digits_of_outputs = 9;
-    constexpr int digits_of_profile = 6;
     std::set<std::size_t> inputs;
     std::set<std::size_t> outputs;
     for (const auto& [key, outcome] : runs_) {
@@ -262,7 +285,7 @@ std::string RunTable::text() const {
         }
         text << std::setprecision(digits_of_profile);
         const char* before = "";
-        for (const Point& corner : corners_of(outcome.profile)) {
+        for (const Point& corner : outcome.profile) {
             text << before << corner.x() << ' ' << corner.y();
             before = " ";
         }
@@ -275,16 +298,12 @@ ModelInterface tabled(ModelInterface model, TabledRuns& runs) {
     const auto predict = model.predict;
     model.predict = [predict, &runs](std::span<const Assignment> assignments) {
         const RunTable::Key key = RunTable::key_of(assignments);
-        if (const RunTable::Outcome* known = runs.known.find(key)) {
-            const std::lock_guard lock(runs.mutex);
-            ++runs.found;
-            runs.used.add(key, *known);
-            return Prediction{known->failure, known->outputs, known->profile};
-        }
-        Prediction prediction = predict(assignments);
+        const RunTable::Outcome* known = runs.known.find(key);
+        RunTable::Outcome outcome = known != nullptr ? *known : as_written(predict(assignments));
         const std::lock_guard lock(runs.mutex);
-        runs.used.add(key, {std::string(prediction.failure), prediction.outputs, prediction.profile});
-        return prediction;
+        runs.found += known != nullptr ? 1 : 0;
+        const RunTable::Outcome& used = runs.used.add(key, std::move(outcome));
+        return Prediction{used.failure, used.outputs, used.profile};
     };
     return model;
 }

@@ -2,9 +2,10 @@
 // seconds, by another version of the program or on another processor, too.
 //
 // Unlike the evaluation store, which promises the last bit, a table is read by people and lasts: inputs are written
-// with 12 significant digits and outputs with 9, and corners of a profile are left out where it stays within 1/5000 of
-// its extent. A prediction is found if each of its inputs agrees to 1e-9, which is far more than the processors'
-// elementary functions differ by.
+// with 12 significant digits, outputs with 9 and profiles with 6, and corners of a profile are left out where it stays
+// within 1/5000 of its extent. A study that makes the table uses the predictions as they are written, so that one which
+// reads it asks for the same runs. A prediction is found if each of its inputs agrees to 1e-9, which is far more than
+// the processors' elementary functions differ by.
 //
 // The text is CSV without quotes. Its first line names the model by a hash, the second one the columns: inputs that are
 // set in any run (empty: the base value), `failure`, outputs (empty: NaN; left out where all are), and `profile`, the
@@ -47,7 +48,8 @@ class RunTable {
 
     // Adds the runs of a text. Throws RunTableError, and then adds none.
     void read(std::string_view text);
-    void add(const Key& key, Outcome outcome);
+    // Returns the run of that key, which stays where it is: the one added, or an earlier one.
+    const Outcome& add(const Key& key, Outcome outcome);
     const Outcome* find(const Key& key) const;
     const std::map<Key, Outcome>& runs() const { return runs_; }
 

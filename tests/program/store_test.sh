@@ -52,6 +52,28 @@ expect "what was finished is not repeated" test "$(json_value killed/result.json
 expect "the store is whole" test "$(rows killed/evaluations.sqlite)" == "$all"
 same_answers whole killed
 
+title "a table of the runs saves them without a store"
+mkdir tables
+delabole "${study[@]}" --runs tables --store whole/evaluations.sqlite --out tabled
+expect_status 0
+expect "a line for each run, below two" test "$(wc -l <tabled/single_block_probability_runs.csv)" == $((all + 2))
+# The table has nine digits.
+same_samples() {
+    local eight='{ printf "%.8g %.8g\n", $1, $2 }'
+    expect "the samples are the same" cmp <(awk -F, "$eight" "$1/cumulative.csv") <(awk -F, "$eight" "$2/cumulative.csv")
+}
+same_samples whole tabled
+delabole sensitivity "$blocks" --set settings.quality=standard --set sensitivity.propagation.samples=128 --runs tabled \
+    --out from_table
+expect_status 0
+expect_output '0 evaluations made, 0 found in '
+expect_output "$all found in tables of runs in tabled"
+same_samples whole from_table
+expect "the same table again" cmp tabled/single_block_probability_runs.csv from_table/single_block_probability_runs.csv
+delabole sensitivity "$blocks" --runs tabled --out other_model
+expect_status 5
+expect_error 'single_block_probability_runs.csv, line 1: the table was made for another model'
+
 title "another study of the same model, on two threads, from the store of the first"
 delabole sensitivity "$blocks" --set settings.quality=standard --set sensitivity.propagation.samples=128 --threads 2 \
     --store whole/evaluations.sqlite --out again
