@@ -121,6 +121,45 @@ double SectionMesh::shared_length(MeshIndex edge) const {
     return (end(chain.last) - start(chain.first)).norm();
 }
 
+bool SectionMesh::joint_leaves(MeshIndex edge, const PlanePoint<>& direction) const {
+    constexpr double sine_of_bend = 0.1;  // a joint drawn with bends is one joint
+    const PlanePoint<> at = start(edge);
+    const auto runs_along = [&](MeshIndex candidate, const PlanePoint<>& other_end) {
+        const MeshIndex joint = edges_[candidate].joint;
+        return joint != free_surface && joint != intact_rock && (other_end - at).dot(direction) > 0 &&
+               std::abs(sine_of_turn(at - direction, at, other_end)) < sine_of_bend;
+    };
+    // All edges that leave the vertex, clockwise from the given one; from the outline on the other way round.
+    MeshIndex leaving = edge;
+    do {
+        if (runs_along(leaving, end(leaving))) {
+            return true;
+        }
+        const MeshIndex twin = edges_[leaving].twin;
+        if (twin == no_index) {
+            break;
+        }
+        leaving = edges_[twin].next;
+    } while (leaving != edge);
+    if (leaving == edge) {
+        return false;
+    }
+    for (MeshIndex arriving = edges_[edge].previous; arriving != no_index;) {
+        if (runs_along(arriving, start(arriving))) {
+            return true;
+        }
+        const MeshIndex twin = edges_[arriving].twin;
+        arriving = twin == no_index ? no_index : edges_[twin].previous;
+    }
+    return false;
+}
+
+bool SectionMesh::joint_runs_on(MeshIndex edge) const {
+    const Chain chain = shared_chain(edge);
+    const PlanePoint<> along = end(chain.last) - start(chain.first);
+    return joint_leaves(chain.first, -along) || joint_leaves(edges_[chain.last].next, along);
+}
+
 void SectionMesh::merge(MeshIndex edge) {
     const Chain chain = shared_chain(edge);
     const MeshIndex kept = edges_[edge].face;

@@ -82,6 +82,8 @@ class SectionMesh {
     bool shares_only(MeshIndex edge, MeshIndex joint) const;
     // Length of the common boundary of the two faces at an edge.
     double shared_length(MeshIndex edge) const;
+    // Whether a joint goes on straight beyond an end of the common boundary of the two faces at an edge.
+    bool joint_runs_on(MeshIndex edge) const;
     // Removes the common boundary of the two faces at an edge, which has a twin; the face on its left remains.
     void merge(MeshIndex edge);
 
@@ -91,6 +93,8 @@ class SectionMesh {
         MeshIndex last;
     };
     Chain shared_chain(MeshIndex edge) const;
+    // Whether a joint leaves the start of an edge in a direction.
+    bool joint_leaves(MeshIndex edge, const PlanePoint<>& direction) const;
 
     std::vector<PlanePoint<>> points_ = {};
     std::vector<HalfEdge> edges_ = {};

@@ -56,7 +56,7 @@ title "a table of the runs saves them without a store"
 mkdir tables
 delabole "${study[@]}" --runs tables --store whole/evaluations.sqlite --out tabled
 expect_status 0
-expect "a line for each run, below two" test "$(wc -l <tabled/single_block_probability_runs.csv)" == $((all + 2))
+expect "a line for each run, below two" test "$(wc -l <tabled/single_block_probability_predictions.csv)" == $((all + 2))
 # The table has nine digits.
 same_samples() {
     local eight='{ printf "%.8g %.8g\n", $1, $2 }'
@@ -69,10 +69,10 @@ expect_status 0
 expect_output '0 evaluations made, 0 found in '
 expect_output "$all found in tables of runs in tabled"
 same_samples whole from_table
-expect "the same table again" cmp tabled/single_block_probability_runs.csv from_table/single_block_probability_runs.csv
+expect "the same table again" cmp tabled/single_block_probability_predictions.csv from_table/single_block_probability_runs.csv
 delabole sensitivity "$blocks" --runs tabled --out other_model
 expect_status 5
-expect_error 'single_block_probability_runs.csv, line 1: the table was made for another model'
+expect_error 'single_block_probability_predictions.csv, line 1: the table was made for another model'
 
 title "another study of the same model, on two threads, from the store of the first"
 delabole sensitivity "$blocks" --set settings.quality=standard --set sensitivity.propagation.samples=128 --threads 2 \

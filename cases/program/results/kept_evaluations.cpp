@@ -26,8 +26,8 @@ auto members_of(Type& traffic) {
 
 namespace {
 
-std::string file_of_runs(const std::string& name) {
-    return name + "_runs.csv";
+std::string file_of_table(const std::string& name) {
+    return name + "_predictions.csv";
 }
 
 // The table in a file, `empty` where there is none.
@@ -112,7 +112,7 @@ void KeptEvaluations::keep(ModelInterface& model, const CaseModel& of, const std
     if (!runs_.empty()) {
         const RunTable empty(model, description);
         TabledRuns& runs =
-            tabled_.try_emplace(name, known_runs(runs_ / file_of_runs(name), empty), empty).first->second;
+            tabled_.try_emplace(name, known_runs(runs_ / file_of_table(name), empty), empty).first->second;
         model = tabled(std::move(model), runs);
     }
 }
@@ -143,7 +143,7 @@ void KeptEvaluations::collect() {
 
 void KeptEvaluations::write_runs(const ResultFolder& folder) const {
     for (const auto& [name, runs] : tabled_) {
-        folder.write(file_of_runs(name), runs.used.text());
+        folder.write(file_of_table(name), runs.used.text());
     }
 }
 

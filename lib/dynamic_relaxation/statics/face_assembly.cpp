@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace delabole {
@@ -17,22 +18,51 @@ struct FaceStrength {
     double tensile_strength;
 };
 
+using BlockPairs = std::set<std::pair<std::size_t, std::size_t>>;  // the lesser number first
+
+// Pairs whose joint has lost its peak strength at a corner or, where the strength is spread over the face, as a whole.
+BlockPairs broken_pairs(const RelaxationScene& scene, const JointHistory& history) {
+    BlockPairs broken;
+    for (std::size_t index = 0; index < history.contacts.contact.size(); ++index) {
+        const ContactMemory memory = history.contacts.memory[index];
+        const RelaxationContact contact = history.contacts.contact[index];
+        if (memory.broken) {
+            broken.insert(std::minmax<std::size_t>(contact.block, contact.other));
+        }
+    }
+    for (std::size_t index = 0; index < scene.bond.size(); ++index) {
+        if (!scene.bond[index].material && history.bond[index].state != BondState::whole) {
+            broken.insert(std::minmax(scene.bond[index].block, scene.bond[index].other));
+        }
+    }
+    return broken;
+}
+
 // The strength of a bonded joint is that of the joint or of the rock, whichever is greater, not their sum.
-FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, std::span<const BondMemory> memory) {
+FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, const JointHistory* history,
+                         const BlockPairs& broken) {
     const RelaxationScene& scene = blocks.scene;
     const JointMaterial& joint = scene.material[weaker_joint(scene, blocks.bodies, face.edge, face.other_edge)];
     FaceStrength strength{joint.friction_angle, joint.cohesion, joint.tensile_strength};
+    if (broken.contains(std::minmax<std::size_t>(face.block, face.other))) {
+        strength = {joint.residual_friction_angle.value_or(joint.friction_angle), joint.residual_cohesion, 0};
+    }
     for (std::size_t index = 0; index < scene.bond.size(); ++index) {
         const FaceBond& bond = scene.bond[index];
         const bool here = bond.block == face.block && bond.other == face.other;
         const bool there = bond.block == face.other && bond.other == face.block;
-        const bool whole = memory.empty() || memory[index].state == BondState::whole;
+        const bool whole = history == nullptr || history->bond[index].state == BondState::whole;
         if (bond.material && whole && (here || there)) {
             const BondMaterial& rock = scene.bond_material[*bond.material];
             strength.friction_angle = std::max(strength.friction_angle, rock.friction_angle);
             strength.cohesion = std::max(strength.cohesion, rock.cohesion);
             strength.tensile_strength = std::max(strength.tensile_strength, rock.tensile_strength);
         }
+    }
+    if (const double friction = std::tan(strength.friction_angle); history != nullptr && friction > 0) {
+        strength.tensile_strength = std::min(strength.tensile_strength, strength.cohesion / friction);
+        strength.cohesion -= strength.tensile_strength * friction;
+        strength.cohesion = std::max(0.0, strength.cohesion);  // less by rounding
     }
     return strength;
 }
@@ -83,7 +113,8 @@ bool is_on_edge(const Bodies& bodies, const ContactLaw& law, const RelaxationCon
 }  // namespace
 
 FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces,
-                           std::span<const BondMemory> bond) {
+                           const JointHistory* history) {
+    const BlockPairs broken = history == nullptr ? BlockPairs() : broken_pairs(blocks.scene, *history);
     const Bodies& bodies = blocks.bodies;
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
     FaceAssembly made;
@@ -101,7 +132,8 @@ FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<Shar
         const FacePosition at = locate(face, blocks.motion[face.block], blocks.motion[face.other]);
         const PlanePoint<> middle = centroid_of(blocks, face.block) + PlanePoint<>(at.arm_x, at.arm_y);
         const PlanePoint<> half = face.length / 2 * PlanePoint<>(at.along_x(), at.along_y());
-        add_face(body[face.block], body[face.other], middle, half, strength_of(blocks, face, bond), made.assembly);
+        add_face(body[face.block], body[face.other], middle, half, strength_of(blocks, face, history, broken),
+                 made.assembly);
     }
     return made;
 }

@@ -27,10 +27,21 @@ struct FaceAssembly {
     std::vector<std::size_t> block_of;  // of each body: the blocks that are not held, in their order
 };
 
-// The faces with their peak strengths, or with those of bonded rock where they are greater and the bond is whole.
-// `bond`: in the order of the scene's bonds; empty: all are whole.
+// What joints and bonds have gone through; bonds are in the order of the scene.
+struct JointHistory {
+    std::span<const BondMemory> bond;
+    const ContactList& contacts;
+};
+
+// The faces with their peak strengths, or with those of bonded rock where they are greater. The programme lets tension
+// act beside compression, so that tensile strength adds friction, too: right for an upper bound of what can be carried.
+//
+// With a history the strengths are those that are left: the residual ones where a pair's contact has slipped or opened,
+// without rock bridges that have broken. Shear is then limited by Coulomb's c + N tan(phi) for every N, with
+//     t' = min(t, c / tan(phi)),  c' = c - t' tan(phi)
+// in place of tensile strength t and cohesion c: compression N + t' beside a tension t' allows c' + (N + t') tan(phi).
 FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces,
-                           std::span<const BondMemory> bond = {});
+                           const JointHistory* history = nullptr);
 
 // Adds contacts at points, outside these faces: corners that touch an edge of another block, except corners on corners
 // (corner_choice.hpp). Edges that continue straight past a corner count as one edge.

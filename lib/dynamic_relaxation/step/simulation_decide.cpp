@@ -91,9 +91,9 @@ void Simulation::decide() {
                : settings_.stop_at_onset && state_.onset_time >= 0 ? RelaxationOutcome::onset
                : held_by_corners()                                 ? RelaxationOutcome::held_by_corners
                                                                    : RelaxationOutcome::equilibrium);
-    } else if (last && state_.onset_time >= 0 && (settings_.stop_at_collapse || followed)) {
+    } else if (last && state_.onset_time >= 0) {
         // Blocks have moved past the thresholds and have not come to rest since.
-        decide(RelaxationOutcome::onset);
+        decide(collapsed ? RelaxationOutcome::collapse : RelaxationOutcome::onset);
     }
 }
 
@@ -134,7 +134,8 @@ bool Simulation::held_by_corners() {
         });
     }
     const BlocksUnderLoad blocks{scene_, bodies_, held_, state_.motion, load_};
-    FaceAssembly made = face_assembly(blocks, faces, state_.bond);
+    const JointHistory history{state_.bond, state_.contacts};
+    FaceAssembly made = face_assembly(blocks, faces, &history);
     add_corners_on_edges(blocks, state_.contacts, made);
     const LeastImbalance found = least_imbalance(made.assembly);
     if (found.status != LpStatus::optimal || found.stands()) {
