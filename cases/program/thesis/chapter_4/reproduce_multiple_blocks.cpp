@@ -12,8 +12,6 @@
 
 namespace delabole {
 
-namespace {
-
 BlockRow<> equal_row(int count, double slenderness, double interface_friction, double base_friction) {
     BlockRow<> row{};
     row.base = {degrees(10), degrees(base_friction)};
@@ -21,6 +19,8 @@ BlockRow<> equal_row(int count, double slenderness, double interface_friction, d
     row.block.assign(static_cast<std::size_t>(count), {slenderness, 1, WeightOfBlock<>{1e3}, {}, {}});
     return row;
 }
+
+namespace {
 
 // The modes in which all blocks turn, each by itself: what the thesis counts.
 std::vector<RowModeSummary> whole_row_modes(int count, double slenderness, double phi, double psi) {
