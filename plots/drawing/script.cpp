@@ -1,6 +1,7 @@
 #include "plots/drawing/extent.hpp"
 #include "plots/drawing/figure.hpp"
 #include "plots/drawing/gnuplot_words.hpp"
+#include "plots/drawing/polygon.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
@@ -201,14 +202,25 @@ class ScriptWriter {
     }
 
     void add(const Region& region) {
-        const Rows rows = rows_of(region.outline, false);
-        if (rows.size() < 3) {
+        Polyline outline = region.outline;
+        std::erase_if(outline, [](const Point& point) { return !point.allFinite(); });
+        if (outline.size() < 3) {
             return;
         }
-        include(rows);
         const std::string style =
             words("fillcolor rgb ", rgb(region.colour), " fillstyle transparent solid ", region.opacity, " noborder");
         note_legend(LegendEntry::Sample::area, region.legend, style);
+        // gnuplot fills the wrong side of an outline that leaves the plot by several edges.
+        if (figure_.x.range && figure_.y.range) {
+            const Point one(figure_.x.range->first, figure_.y.range->first);
+            const Point other(figure_.x.range->second, figure_.y.range->second);
+            outline = clipped(outline, {one.cwiseMin(other), one.cwiseMax(other)});
+            if (outline.empty()) {
+                return;
+            }
+        }
+        const Rows rows = rows_of(outline, false);
+        include(rows);
         plot(rows, "using 1:2 with filledcurves closed " + style);
     }
 
@@ -292,7 +304,8 @@ class ScriptWriter {
         if (figure_.equal_scales) {
             script_ << "set size ratio -1\n";
         }
-        script_ << "unset key\n";
+        // Lines between two points outside the plot are drawn where they cross it.
+        script_ << "set clip two\nunset key\n";
         if (!legend_.empty()) {
             script_ << "set bmargin at screen " << (legend_space() + axis_height()) / canvas_height() << "\n";
         }
