@@ -51,6 +51,13 @@ TEST_F(Chapter4, DrawsWhichWayToesSlide) {
     for (const std::string_view words : {"F: toe slides forward", "B: toe slides backward", "P: toe does not slide"}) {
         EXPECT_NE(text.find(words), std::string::npos) << words;
     }
+    // The letters of 4.3.1 stand above the roles of their blocks.
+    std::string labels;
+    for (std::size_t at = 0; (at = text.find("set label '", at)) != std::string::npos; ++at) {
+        const std::size_t begin = text.find('\'', at) + 1;
+        labels += text.substr(begin, text.find('\'', begin) - begin);
+    }
+    EXPECT_NE(labels.find("FFP(a)FPB(b)PBB(c)FBB(d)FFB(e)"), std::string::npos) << labels;
 }
 
 TEST_F(Chapter4, SingleBlock) {
