@@ -4,6 +4,7 @@
 #include "fitting/work/words.hpp"
 #include "limit_equilibrium/block_row/block_row_solver.hpp"
 #include "limit_equilibrium/block_row/closed_forms.hpp"
+#include "plots/drawing/extent.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/figures.hpp"
 
@@ -58,14 +59,6 @@ Figure modes_figure(double slenderness, double w) {
     return figure;
 }
 
-// Letters without a ground of their own, which would hide the curves that the marks stand on.
-void mark_on_curves(const std::vector<PrintedStatement>& printed, Figure& figure) {
-    mark_statements(printed, 1, 1, figure);
-    for (Label& label : figure.labels) {
-        label.boxed = false;
-    }
-}
-
 // Both printed values for a/b = 9, on the forward mode with this share of the weight in the lower block.
 void mark_printed_boundaries(Figure& figure, double w) {
     std::vector<PrintedStatement> printed;
@@ -75,7 +68,15 @@ void mark_printed_boundaries(Figure& figure, double w) {
             {"printed boundary, φ = " + number_in_words(frictions[index]) + " deg: " + number_in_words(psi) + " deg",
              Point(psi, forward(9, w, frictions[index], psi))});
     }
-    mark_on_curves(printed, figure);
+    Frame frame;
+    for (const Series& series : figure.series) {
+        if (const auto* line = std::get_if<Line>(&series)) {
+            frame.include(line->points);
+        }
+    }
+    figure.x.range = std::pair{frame.x.lowest - 1, frame.x.highest + 1};
+    figure.y.range = std::pair{frame.y.lowest - 1, frame.y.highest + 1};
+    mark_statements(printed, 1, 1, figure);
 }
 
 // Share of the lower block's weight that gives both printed boundaries best: one step of Gauss and Newton from between
@@ -230,6 +231,7 @@ Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report) {
         equal_weights.points.emplace_back(crossing, forward(slenderness, equal, phi, crossing));
     }
     figure.series.emplace_back(equal_weights);
+    figure.height = 580;  // the curves lie close together at the marks
     mark_printed_boundaries(figure, best);
     report.blocks.emplace_back(Heading{"Fig 4.7: two blocks, a/b = 9"});
     report.blocks.emplace_back(Paragraph{
