@@ -60,6 +60,13 @@ TEST_F(Chapter4, DrawsWhichWayToesSlide) {
     EXPECT_NE(labels.find("FFP(a)FPB(b)PBB(c)FBB(d)FFB(e)"), std::string::npos) << labels;
 }
 
+TEST_F(Chapter4, ThreeRatiosOfAFigureHaveOneScale) {
+    reproduce("fig4.10");
+    EXPECT_NE(scale_of("fig_4_10_ratio_3"), "");
+    EXPECT_EQ(scale_of("fig_4_10_ratio_3"), scale_of("fig_4_10_ratio_5"));
+    EXPECT_EQ(scale_of("fig_4_10_ratio_3"), scale_of("fig_4_10_ratio_7"));
+}
+
 TEST_F(Chapter4, SingleBlock) {
     const Reproduction result = reproduce("fig4.1");
     EXPECT_EQ(result.rows.size(), 7U);

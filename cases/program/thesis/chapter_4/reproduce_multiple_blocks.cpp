@@ -183,6 +183,7 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
     for (const int ratio : {3, 5, 7}) {
         const std::string words = std::to_string(ratio);
         Figure figure = tilt_figure("Fig 4.10: three blocks, a/b = " + words, "friction φ = ψ", "deg");
+        figure.x.range = figure.y.range = std::pair{5.0, 47.0};
         figure.series.emplace_back(mode_line(ratio, "(a) as printed, (14) = (8)", Colour::grey, Dash::dashed,
                                              closed_form::two_equal_blocks_forward<double>));
         figure.series.emplace_back(mode_line(ratio, "(a) FFP as derived", Colour::blue, Dash::solid,
