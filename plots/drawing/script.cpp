@@ -415,13 +415,14 @@ class ScriptWriter {
         const auto terminal = [this](std::string_view kind, int scale) {
             script_ << "set terminal " << kind << " size " << scale * figure_.width << ',' << scale * canvas_height();
         };
+        // Round joins, because gnuplot mitres the first point of a line as if it were closed.
         terminal("svg", 1);
-        script_ << " dynamic noenhanced font 'sans-serif," << text_height << "' background rgb 'white'\n"
+        script_ << " dynamic rounded noenhanced font 'sans-serif," << text_height << "' background rgb 'white'\n"
                 << "set output '" << name_ << ".svg'\nmarker = 0.6\n"
                 << legend_commands() << "plot " << (plot_.tellp() == 0 ? "NaN" : plot_.str()) << "\n";
         // The picture has twice the size, for print. Its letters are measured in points of 4/3 px.
         terminal("pngcairo", 2);
-        script_ << " noenhanced font 'sans," << text_height
+        script_ << " rounded noenhanced font 'sans," << text_height
                 << "' fontscale 1.5 linewidth 2 pointscale 2 background rgb 'white'\n"
                 << "set output '" << name_ << ".png'\nmarker = 1\n"
                 << legend_commands() << "replot\nset output\n";

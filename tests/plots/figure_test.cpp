@@ -61,7 +61,9 @@ TEST(GnuplotScript, TakesTextsLiterally) {
     std::size_t terminals = 0;
     for (std::size_t at = script.find("set terminal"); at != std::string::npos;
          at = script.find("set terminal", at + 1)) {
-        EXPECT_NE(script.substr(at, script.find('\n', at) - at).find(" noenhanced "), std::string::npos);
+        const std::string settings = script.substr(at, script.find('\n', at) - at);
+        EXPECT_NE(settings.find(" noenhanced "), std::string::npos);
+        EXPECT_NE(settings.find(" rounded "), std::string::npos) << "mitred ends of lines";
         ++terminals;
     }
     EXPECT_EQ(terminals, 2U);
