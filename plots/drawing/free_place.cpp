@@ -11,12 +11,12 @@ namespace delabole {
 
 namespace {
 
-Rectangle place_of(const Label& label, double px_per_unit) {
+Rectangle place_of(const Label& label, const Point& px_per_unit) {
     constexpr double mean_letter = 0.58 * text_height;  // mean width of a letter, px
-    const double width = label.size * mean_letter * static_cast<double>(letter_count(label.text)) / px_per_unit;
-    const double height = label.size * 1.1 * text_height / px_per_unit;
+    const double width = label.size * mean_letter * static_cast<double>(letter_count(label.text)) / px_per_unit.x();
+    const double height = label.size * 1.1 * text_height / px_per_unit.y();
     const double share = label.align == Label::Align::left ? 0 : label.align == Label::Align::centre ? 0.5 : 1;
-    const Point lowest = label.at + Point(-share * width, label.raise * text_height / px_per_unit - 0.5 * height);
+    const Point lowest = label.at + Point(-share * width, label.raise * text_height / px_per_unit.y() - 0.5 * height);
     return {lowest, lowest + Point(width, height)};
 }
 
@@ -44,7 +44,7 @@ double hidden(const Rectangle& text, const Series& series) {
     return 0;
 }
 
-double disturbance(const Label& label, double px_per_unit, const Figure& figure) {
+double disturbance(const Label& label, const Point& px_per_unit, const Figure& figure) {
     constexpr double never = 1000;  // greater than the sum of all items that a text can hide
     const Rectangle text = place_of(label, px_per_unit);
     double sum = within(text, figure) ? 0 : never;
@@ -62,8 +62,8 @@ double disturbance(const Label& label, double px_per_unit, const Figure& figure)
 
 }  // namespace
 
-void add_where_free(const std::vector<LabelPlace>& places, const std::string& text, double px_per_unit, Figure& figure,
-                    Colour colour) {
+void add_where_free(const std::vector<LabelPlace>& places, const std::string& text, const Point& px_per_unit,
+                    Figure& figure, Colour colour) {
     double least = std::numeric_limits<double>::infinity();
     Label best;
     for (const LabelPlace& place : places) {

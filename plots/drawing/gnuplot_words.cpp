@@ -22,7 +22,7 @@ std::string_view rgb(Colour colour) {
 }
 
 std::string_view dash_type(Dash dash) {
-    return dash == Dash::dashed ? "(12,6)" : dash == Dash::dotted ? "(3,5)" : "solid";
+    return dash == Dash::dashed ? "(11,7)" : dash == Dash::dotted ? "(1,7)" : "solid";
 }
 
 int point_type(Marker marker) {

@@ -1,6 +1,7 @@
 #include "plots/drawing/polygon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -33,6 +34,16 @@ Polyline raised(Polyline line, double height) {
         point.y() += height;
     }
     return line;
+}
+
+Polyline clipped(const Polyline& outline, const Rectangle& rectangle) {
+    const std::array corners{rectangle.lowest, Point(rectangle.highest.x(), rectangle.lowest.y()), rectangle.highest,
+                             Point(rectangle.lowest.x(), rectangle.highest.y())};
+    Polyline part = outline;
+    for (std::size_t index = 0; index < corners.size(); ++index) {
+        part = clip(part, HalfPlane<>{corners[index], corners[(index + 1) % corners.size()]});
+    }
+    return part;
 }
 
 bool crosses(const Rectangle& rectangle, const Point& from, const Point& to) {

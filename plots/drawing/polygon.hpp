@@ -20,6 +20,9 @@ struct Rectangle {
     Point highest;
 };
 
+// The part of an outline within a rectangle; empty if there is none.
+Polyline clipped(const Polyline& outline, const Rectangle& rectangle);
+
 bool crosses(const Rectangle& rectangle, const Point& from, const Point& to);
 bool crosses(const Rectangle& rectangle, const Polyline& line);
 

@@ -1,6 +1,7 @@
 #include "plots/drawing/extent.hpp"
 #include "plots/drawing/figure.hpp"
 #include "plots/drawing/gnuplot_words.hpp"
+#include "plots/drawing/polygon.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
@@ -201,14 +202,25 @@ class ScriptWriter {
     }
 
     void add(const Region& region) {
-        const Rows rows = rows_of(region.outline, false);
-        if (rows.size() < 3) {
+        Polyline outline = region.outline;
+        std::erase_if(outline, [](const Point& point) { return !point.allFinite(); });
+        if (outline.size() < 3) {
             return;
         }
-        include(rows);
         const std::string style =
             words("fillcolor rgb ", rgb(region.colour), " fillstyle transparent solid ", region.opacity, " noborder");
         note_legend(LegendEntry::Sample::area, region.legend, style);
+        // gnuplot fills the wrong side of an outline that leaves the plot by several edges.
+        if (figure_.x.range && figure_.y.range) {
+            const Point one(figure_.x.range->first, figure_.y.range->first);
+            const Point other(figure_.x.range->second, figure_.y.range->second);
+            outline = clipped(outline, {one.cwiseMin(other), one.cwiseMax(other)});
+            if (outline.empty()) {
+                return;
+            }
+        }
+        const Rows rows = rows_of(outline, false);
+        include(rows);
         plot(rows, "using 1:2 with filledcurves closed " + style);
     }
 
@@ -292,7 +304,8 @@ class ScriptWriter {
         if (figure_.equal_scales) {
             script_ << "set size ratio -1\n";
         }
-        script_ << "unset key\n";
+        // Lines between two points outside the plot are drawn where they cross it.
+        script_ << "set clip two\nunset key\n";
         if (!legend_.empty()) {
             script_ << "set bmargin at screen " << (legend_space() + axis_height()) / canvas_height() << "\n";
         }
@@ -402,13 +415,14 @@ class ScriptWriter {
         const auto terminal = [this](std::string_view kind, int scale) {
             script_ << "set terminal " << kind << " size " << scale * figure_.width << ',' << scale * canvas_height();
         };
+        // Round joins, because gnuplot mitres the first point of a line as if it were closed.
         terminal("svg", 1);
-        script_ << " dynamic noenhanced font 'sans-serif," << text_height << "' background rgb 'white'\n"
+        script_ << " dynamic rounded noenhanced font 'sans-serif," << text_height << "' background rgb 'white'\n"
                 << "set output '" << name_ << ".svg'\nmarker = 0.6\n"
                 << legend_commands() << "plot " << (plot_.tellp() == 0 ? "NaN" : plot_.str()) << "\n";
         // The picture has twice the size, for print. Its letters are measured in points of 4/3 px.
         terminal("pngcairo", 2);
-        script_ << " noenhanced font 'sans," << text_height
+        script_ << " rounded noenhanced font 'sans," << text_height
                 << "' fontscale 1.5 linewidth 2 pointscale 2 background rgb 'white'\n"
                 << "set output '" << name_ << ".png'\nmarker = 1\n"
                 << legend_commands() << "replot\nset output\n";

@@ -217,10 +217,10 @@ Figure mode_chart_figure(const ModeChart& chart) {
     for (const PrintedStatement& statement : chart.printed) {
         in_degrees({statement.at});
     }
-    mark_statements(chart.printed, unit, unit, figure);
     if (!frame.empty() && frame.size().minCoeff() > 0) {
         figure.x.range = std::pair{frame.x.lowest, frame.x.highest};
         figure.y.range = std::pair{frame.y.lowest, frame.y.highest};
+        mark_statements(chart.printed, unit, unit, figure);
         name_regions(chart, figure);
     }
     return figure;

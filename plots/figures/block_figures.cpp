@@ -99,8 +99,11 @@ class BlockPicture {
             std::back_inserter(figure_.labels));
         figure_.x.range = std::pair{frame_.x.lowest, frame_.x.highest};
         figure_.y.range = std::pair{frame_.y.lowest, frame_.y.highest};
-        // A title of two lines and the axis need about 165 px of the height.
-        figure_.height = static_cast<int>(std::max(frame_.y.size() / metres_per_px_, 150.0)) + 165;
+        // The numbers of the vertical axis take about 35 px of the width, and a wide picture so much of its height; a
+        // title of two lines and the horizontal axis need about 165 px of the height.
+        const double height_at_full_width = (plot_width - 35) * frame_.y.size() / frame_.x.size();
+        figure_.height =
+            static_cast<int>(std::max(std::min(frame_.y.size() / metres_per_px_, height_at_full_width), 150.0)) + 165;
         return std::move(figure_);
     }
 

@@ -1,11 +1,13 @@
 #include "plots/figures/figures.hpp"
 #include "plots/drawing/extent.hpp"
 
+#include "plots/drawing/free_place.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace delabole {
@@ -33,7 +35,7 @@ Line curve_line(const NamedCurve& curve, std::size_t index, double x_unit, doubl
 void label_curves(std::vector<Line>& lines, Figure& figure) {
     for (std::size_t index = 0; index < lines.size(); ++index) {
         Line& line = lines[index];
-        if (!line.points.empty()) {
+        if (!line.points.empty() && !line.legend.empty()) {
             figure.labels.push_back({.at = line.points[(2 * index + 1) * line.points.size() / (2 * lines.size())],
                                      .text = std::exchange(line.legend, ""),
                                      .align = index == 0                  ? Label::Align::left
@@ -76,14 +78,35 @@ Axis axis_of(std::string_view name, Dimension dimension) {
 
 void mark_statements(const std::vector<PrintedStatement>& statements, double x_unit, double y_unit, Figure& figure) {
     char letter = 'A';
+    Polyline marks;
     for (const PrintedStatement& statement : statements) {
         const Point at{statement.at.x() / x_unit, statement.at.y() / y_unit};
+        marks.push_back(at);
         figure.series.emplace_back(Points{.points = {at},
                                           .legend = std::string(1, letter) + ": " + statement.text,
                                           .colour = Colour::black,
                                           .marker = letter % 2 ? Marker::filled_circle : Marker::filled_diamond,
                                           .size = 1.6});
-        figure.labels.push_back({.at = at, .text = std::string(1, letter), .raise = 1.0});
+        letter = letter == 'Z' ? 'A' : static_cast<char>(letter + 1);
+    }
+    if (marks.empty()) {
+        return;
+    }
+    // Title and axes take about so much of the height and the width, px.
+    const Point px_per_unit((figure.width - 110) / (figure.x.range->second - figure.x.range->first),
+                            (figure.height - 135) / (figure.y.range->second - figure.y.range->first));
+    letter = 'A';
+    for (const Point& mark : marks) {
+        std::vector<LabelPlace> places;
+        for (const auto& [right, up, align] :
+             {std::tuple{0, 20, Label::Align::centre}, std::tuple{0, -22, Label::Align::centre},
+              std::tuple{12, 0, Label::Align::left}, std::tuple{-12, 0, Label::Align::right},
+              std::tuple{10, 16, Label::Align::left}, std::tuple{-10, 16, Label::Align::right},
+              std::tuple{10, -18, Label::Align::left}, std::tuple{-10, -18, Label::Align::right}}) {
+            places.push_back({mark + Point(right / px_per_unit.x(), up / px_per_unit.y()), align});
+        }
+        add_where_free(places, std::string(1, letter), px_per_unit, figure);
+        figure.labels.back().boxed = false;  // a ground of its own would hide the curves that the mark stands on
         letter = letter == 'Z' ? 'A' : static_cast<char>(letter + 1);
     }
 }
@@ -108,13 +131,13 @@ Figure factor_of_safety_against_water(const WaterDepthCurves& data) {
                                     .dash = Dash::dashed,
                                     .width = 1.5});
 
-    mark_statements(data.statements, 1, 1, figure);
     for (const PrintedStatement& statement : data.statements) {
         shown.include(statement.at.y());
     }
     // The range leaves room for the letters of the marks, and includes zero, because the distance to failure is to be
     // judged.
     figure.y.range = std::pair{std::min(0.0, shown.lowest), shown.highest + 0.08 * shown.size() + 0.05};
+    mark_statements(data.statements, 1, 1, figure);
     return figure;
 }
 

@@ -90,7 +90,8 @@ struct PrintedStatement {
     Point at;
 };
 
-// `x_unit` and `y_unit` are the SI values of one unit of the figure's axes.
+// `x_unit` and `y_unit` are the SI values of one unit of the figure's axes, whose ranges must be given. The letters
+// stand beside their marks where they hide least of the series that the figure has by then.
 void mark_statements(const std::vector<PrintedStatement>& statements, double x_unit, double y_unit, Figure& figure);
 
 // Factor of safety against depth of water over depth of crack, one curve for each cohesion.

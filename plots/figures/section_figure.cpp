@@ -86,7 +86,8 @@ void add_forces(const SectionDrawing& drawing, const Point& raise, double px_per
             const Point& front = force.direction.x() > 0.7 ? tail : tip;
             const std::vector<LabelPlace> sideways{
                 {front, Label::Align::right, 0}, {front, Label::Align::right, 0.6}, {front, Label::Align::right, -0.6}};
-            add_where_free(std::abs(force.direction.x()) > 0.7 ? sideways : upright, force.text, px_per_metre, figure);
+            add_where_free(std::abs(force.direction.x()) > 0.7 ? sideways : upright, force.text,
+                           Point::Constant(px_per_metre), figure);
         }
     }
 }
@@ -202,7 +203,7 @@ Figure section_figure(const SectionDrawing& drawing) {
         for (LabelPlace& place : note.places) {
             place.at += raise;
         }
-        add_where_free(note.places, note.text, px_per_metre, figure);
+        add_where_free(note.places, note.text, Point::Constant(px_per_metre), figure);
     }
     return figure;
 }

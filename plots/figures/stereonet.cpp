@@ -39,6 +39,10 @@ std::string attitude(double inclination, double azimuth) {
     return tenths(inclination) + "/" + tenths(azimuth);
 }
 
+std::string name_of(const std::string& set, const Orientation& plane) {
+    return human_name(set) + " " + attitude(plane.dip, plane.dip_direction);
+}
+
 Point on_primitive(double azimuth, double radius) {
     return {radius * std::sin(azimuth), radius * std::cos(azimuth)};
 }
@@ -88,7 +92,7 @@ void add_primitive(Figure& figure, NetProjection projection) {
 
 // Adds a text to the net at the place where it hides least.
 void add_name(Figure& figure, const std::vector<LabelPlace>& places, const std::string& text, Colour colour) {
-    add_where_free(places, text, figure.width / (2 * margin), figure, colour);
+    add_where_free(places, text, Point::Constant(figure.width / (2 * margin)), figure, colour);
 }
 
 // Adds a text on its curve, near the middle.
@@ -97,21 +101,6 @@ void add_name_along(Figure& figure, const Polyline& curve, const std::string& te
     for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
         const auto index = static_cast<std::size_t>(share * static_cast<double>(curve.size() - 1));
         places.push_back({curve[index], Label::Align::centre});
-    }
-    add_name(figure, places, text, colour);
-}
-
-// Adds a text beside a point.
-void add_name_beside(Figure& figure, const Point& at, const std::string& text, Colour colour) {
-    std::vector<LabelPlace> places;
-    for (const double distance : {0.07, 0.16, 0.26}) {
-        for (const double side : {-1.0, 1.0}) {
-            places.push_back({at + Point(0, side * distance), Label::Align::centre});
-            places.push_back({at + Point(distance, 0), Label::Align::left});
-            places.push_back({at - Point(distance, 0), Label::Align::right});
-            places.push_back({at + Point(0.7 * distance, side * distance), Label::Align::left});
-            places.push_back({at + Point(-0.7 * distance, side * distance), Label::Align::right});
-        }
     }
     add_name(figure, places, text, colour);
 }
@@ -128,8 +117,7 @@ void add_face(Figure& figure, const Orientation& face, NetProjection projection)
 
 void name_plane(Figure& figure, const std::string& name, const Orientation& plane, NetProjection projection,
                 Colour colour) {
-    add_name_along(figure, great_circle(plane, projection), name + " " + attitude(plane.dip, plane.dip_direction),
-                   colour);
+    add_name_along(figure, great_circle(plane, projection), name_of(name, plane), colour);
 }
 
 void add_planes(Figure& figure, const std::vector<DrawnJointSet>& sets, NetProjection projection) {
@@ -140,7 +128,7 @@ void add_planes(Figure& figure, const std::vector<DrawnJointSet>& sets, NetProje
 
 void name_planes(Figure& figure, const std::vector<DrawnJointSet>& sets, NetProjection projection) {
     for (std::size_t index = 0; index < sets.size(); ++index) {
-        name_plane(figure, human_name(sets[index].name), sets[index].mean, projection, of_set(set_colours, index));
+        name_plane(figure, sets[index].name, sets[index].mean, projection, of_set(set_colours, index));
     }
 }
 
@@ -259,17 +247,11 @@ void add_mean_poles(Figure& figure, const StereonetDrawing& drawing) {
         // A white background separates the mark from the poles around it.
         figure.series.emplace_back(
             Points{.points = {pole}, .colour = Colour::white, .marker = of_set(set_markers, index), .size = 3});
-        figure.series.emplace_back(Points{
-            .points = {pole}, .colour = of_set(set_colours, index), .marker = of_set(set_markers, index), .size = 2});
-    }
-}
-
-void name_mean_poles(Figure& figure, const StereonetDrawing& drawing) {
-    for (std::size_t index = 0; index < drawing.joint_set.size(); ++index) {
-        const DrawnJointSet& set = drawing.joint_set[index];
-        add_name_beside(figure, projected_pole(set.mean, drawing.projection),
-                        human_name(set.name) + " " + attitude(set.mean.dip, set.mean.dip_direction),
-                        of_set(set_colours, index));
+        figure.series.emplace_back(Points{.points = {pole},
+                                          .legend = name_of(set.name, set.mean),
+                                          .colour = of_set(set_colours, index),
+                                          .marker = of_set(set_markers, index),
+                                          .size = 2});
     }
 }
 
@@ -331,7 +313,12 @@ Figure pole_figure(const StereonetDrawing& drawing) {
              Colour::sky);
     add_poles(figure, drawing);
     add_density_contours(figure, drawing);
-    add_face(figure, {drawing.slope.face_dip, drawing.slope.face_dip_direction}, projection);
+    const Orientation face{drawing.slope.face_dip, drawing.slope.face_dip_direction};
+    // Names in the legend, because the net has no free place for so many.
+    figure.series.emplace_back(Line{.points = great_circle(face, projection),
+                                    .legend = name_of("face", face),
+                                    .colour = Colour::black,
+                                    .width = 4});
     figure.series.emplace_back(Line{.points = daylight_envelope(drawing.slope, projection),
                                     .legend = "daylight envelope",
                                     .colour = Colour::black,
@@ -344,8 +331,6 @@ Figure pole_figure(const StereonetDrawing& drawing) {
                                     .width = 2});
     add_mean_poles(figure, drawing);
     add_primitive(figure, projection);
-    name_mean_poles(figure, drawing);
-    name_plane(figure, "face", {drawing.slope.face_dip, drawing.slope.face_dip_direction}, projection, Colour::black);
     return figure;
 }
 

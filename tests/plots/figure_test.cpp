@@ -11,6 +11,7 @@
 #include <limits>
 #include <locale>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 
 namespace delabole {
@@ -43,9 +44,10 @@ Figure simple_figure() {
 TEST(GnuplotScript, IsReadableText) {
     const std::string script = gnuplot_script(simple_figure(), "figure");
     for (const char* line :
-         {"# Draw again, in this folder: gnuplot figure.gp\n", "set encoding utf8\n", "set xlabel 'a_b (kN/m³)'\n",
-          "$series_1 << EOD\n0 0.333333333333\n1234.5 1\nEOD\n", "set ytics ('50 %%' 1)\n", "set output 'figure.svg'\n",
-          "set output 'figure.png'\n", "plot $series_1 using 1:2 with lines"}) {
+         {"# Draw again, in this folder: gnuplot figure.gp\n", "set encoding utf8\n", "set clip two\n",
+          "set xlabel 'a_b (kN/m³)'\n", "$series_1 << EOD\n0 0.333333333333\n1234.5 1\nEOD\n",
+          "set ytics ('50 %%' 1)\n", "set output 'figure.svg'\n", "set output 'figure.png'\n",
+          "plot $series_1 using 1:2 with lines"}) {
         EXPECT_NE(script.find(line), std::string::npos) << line << "not in:\n" << script;
     }
 }
@@ -59,7 +61,9 @@ TEST(GnuplotScript, TakesTextsLiterally) {
     std::size_t terminals = 0;
     for (std::size_t at = script.find("set terminal"); at != std::string::npos;
          at = script.find("set terminal", at + 1)) {
-        EXPECT_NE(script.substr(at, script.find('\n', at) - at).find(" noenhanced "), std::string::npos);
+        const std::string settings = script.substr(at, script.find('\n', at) - at);
+        EXPECT_NE(settings.find(" noenhanced "), std::string::npos);
+        EXPECT_NE(settings.find(" rounded "), std::string::npos) << "mitred ends of lines";
         ++terminals;
     }
     EXPECT_EQ(terminals, 2U);
@@ -97,6 +101,28 @@ TEST(GnuplotScript, BreaksLinesAndLeavesOutPointsThatAreNotFinite) {
     EXPECT_NE(script.find("$series_1 << EOD\n0 0\nnan nan\n2 2\nEOD\n"), std::string::npos) << script;
     EXPECT_NE(script.find("$series_2 << EOD\n0 0\n3 3\nEOD\n"), std::string::npos) << script;
     EXPECT_EQ(script.find("inf"), std::string::npos) << script;
+}
+
+// A square turned by 12 deg, of which three corners lie beyond two edges of the plot: gnuplot itself fills outside of
+// it.
+TEST(GnuplotScript, CutsRegionsOffAtTheRangesOfTheAxes) {
+    const Region square{.outline = {{-5, -6}, {4.8, -3.9}, {2.7, 5.9}, {-7.1, 3.8}}};
+    const std::string script = gnuplot_script({.x = {.range = std::pair{0.0, 10.0}},
+                                               .y = {.range = std::pair{4.0, -10.0}},
+                                               .series = {square, Region{.outline = {{11, 0}, {12, 0}, {12, 1}}}}},
+                                              "figure");
+    const std::string begin = "$series_1 << EOD\n";
+    const std::size_t data = script.find(begin) + begin.size();
+    std::istringstream rows(script.substr(data, script.find("EOD\n", data) - data));
+    constexpr double rounding = 1e-9;  // of cuts, and of the twelve digits written
+    Polyline drawn;
+    for (double x = 0, y = 0; rows >> x >> y;) {
+        EXPECT_GE(x, -rounding);
+        EXPECT_LE(y, 4 + rounding);
+        drawn.emplace_back(x, y);
+    }
+    EXPECT_EQ(drawn.size(), 4U);  // the corner within, a cut of either edge, and the corner of the plot
+    EXPECT_EQ(script.find("$series_2"), std::string::npos) << script;
 }
 
 TEST(WriteFigure, DrawsEveryKindOfFigureWithoutARemark) {

@@ -116,6 +116,19 @@ TEST(WaterFigure, MarksThePrintedStatements) {
     EXPECT_EQ(factor_of_safety_against_water({}).y.range->first, 0);
 }
 
+// The plot is about 530 px wide and 290 px high, so that a letter above or below the mark would lie on a line.
+TEST(MarkStatements, PutsLettersBesideTheCurves) {
+    Figure figure{.x = {.range = std::pair{0.0, 53.0}}, .y = {.range = std::pair{0.0, 29.0}}};
+    for (const double height : {17.0, 13.0}) {
+        figure.series.emplace_back(Line{.points = {{0, height}, {53, height}}});
+    }
+    mark_statements({{"between two lines", {200, 15}}}, 10, 1, figure);
+    ASSERT_EQ(figure.labels.size(), 1U);
+    EXPECT_EQ(figure.labels[0].at.y(), 15);
+    EXPECT_GT(figure.labels[0].at.x(), 20);
+    EXPECT_FALSE(figure.labels[0].boxed);
+}
+
 TEST(LocusFigure, ShowsDisplayUnitsAndShadesTheLaboratory) {
     const Figure figure = failure_locus_figure(samples::failure_loci());
     EXPECT_EQ(figure.x.unit, "deg");

@@ -35,6 +35,13 @@ TEST(StereonetFigure, NamesWhatItShows) {
     }
 }
 
+// A ground of its own would hide contours and circles.
+TEST(StereonetFigure, OfPolesHasNoNamesOverThePoles) {
+    for (const Label& label : pole_figure(samples::stereonet()).labels) {
+        EXPECT_FALSE(label.boxed) << label.text;
+    }
+}
+
 TEST(StereonetFigure, GivesPlanesToATenthOfADegree) {
     StereonetDrawing drawing = samples::stereonet();
     drawing.joint_set.front().mean = {degrees(36.78), degrees(99.28)};

@@ -30,6 +30,19 @@ TEST_F(Chapter4, BoundaryAtNine) {
     EXPECT_NEAR(json["weight_ratio_least_squares"].get<double>(), 0.9618, 0.00005);
 }
 
+// Printed and computed are one closed form each, the limit comes from a bisection to 1e-9 deg.
+TEST_F(Chapter4, TwoBlocksPressOnOneAnother) {
+    const Reproduction result = reproduce("eq12-13");
+    for (const std::string_view mode : {"(12) forward", "(13) backward"}) {
+        const Json& row = result.json[std::string(mode)];
+        EXPECT_GT(row["computed"].get<double>(), 0.1) << mode;
+        EXPECT_NEAR(row["computed"].get<double>(), row["printed"].get<double>(), 1e-12) << mode;
+    }
+    EXPECT_NEAR(result.json["greatest_equal_friction_deg"].get<double>(), 45, 1e-8);
+    EXPECT_EQ(count_rows(result.rows).met, 4);
+    EXPECT_EQ(count_rows(result.rows).not_met, 0);
+}
+
 // Three blocks have five modes, all but FBB and FFB with a pivot.
 TEST_F(Chapter4, DrawsWhichWayToesSlide) {
     reproduce("fig4.9");
@@ -38,6 +51,20 @@ TEST_F(Chapter4, DrawsWhichWayToesSlide) {
     for (const std::string_view words : {"F: toe slides forward", "B: toe slides backward", "P: toe does not slide"}) {
         EXPECT_NE(text.find(words), std::string::npos) << words;
     }
+    // The letters of 4.3.1 stand above the roles of their blocks.
+    std::string labels;
+    for (std::size_t at = 0; (at = text.find("set label '", at)) != std::string::npos; ++at) {
+        const std::size_t begin = text.find('\'', at) + 1;
+        labels += text.substr(begin, text.find('\'', begin) - begin);
+    }
+    EXPECT_NE(labels.find("FFP(a)FPB(b)PBB(c)FBB(d)FFB(e)"), std::string::npos) << labels;
+}
+
+TEST_F(Chapter4, ThreeRatiosOfAFigureHaveOneScale) {
+    reproduce("fig4.10");
+    EXPECT_NE(scale_of("fig_4_10_ratio_3"), "");
+    EXPECT_EQ(scale_of("fig_4_10_ratio_3"), scale_of("fig_4_10_ratio_5"));
+    EXPECT_EQ(scale_of("fig_4_10_ratio_3"), scale_of("fig_4_10_ratio_7"));
 }
 
 TEST_F(Chapter4, SingleBlock) {

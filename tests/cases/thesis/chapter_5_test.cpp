@@ -221,6 +221,9 @@ TEST_F(Chapter5, Slopes) {
     const Json plane = reproduce("fig5.16").json;
     EXPECT_TRUE(plane["as_printed"].get<bool>());
     EXPECT_TRUE(plane["crack_at_16_deg"].get<bool>());
+    for (const std::string figure : {"fig_5_16_1000", "fig_5_16_2000", "fig_5_16_clean"}) {
+        EXPECT_EQ(scale_of(figure), scale_of("fig_5_16_0")) << figure;
+    }
     const Json stepped = reproduce("fig5.17").json;
     EXPECT_TRUE(all_agree(stepped["outcomes"]["stepped base, friction"]));
     EXPECT_TRUE(std::ranges::all_of(stepped["behaves_as_printed"], [](const Json& one) { return one.get<bool>(); }));

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace delabole::testing {
@@ -34,6 +35,16 @@ class ReproductionTest : public ::testing::Test {
     }
 
     const std::filesystem::path& path() const { return path_; }
+
+    // The settings of both ranges in a figure's script.
+    std::string scale_of(const std::string& figure) const {
+        std::ifstream script(path_ / "figures" / (figure + ".gp"));
+        std::string ranges;
+        for (std::string line; std::getline(script, line);) {
+            ranges += line.find("range [") == 5 ? line + "\n" : "";
+        }
+        return ranges;
+    }
 
   private:
     ReproductionChapter chapter_;

@@ -206,7 +206,7 @@ FailureLoci failure_loci(const PlaneFailure<>& problem) {
         }
     };
     if (level == nullptr) {
-        add("as given");
+        add("");  // one curve needs no name
         return loci;
     }
     for (const double ratio : {0.0, 0.25, 0.5, 0.75, 1.0}) {

@@ -48,7 +48,7 @@ Table solutions_table(CsvTable& csv) {
 
 WaterDepthCurves fig_2_8_curves(const Fig28Solution& solution) {
     WaterDepthCurves curves;
-    curves.title = "Fig 2.8 (b)";
+    curves.title = "Fig 2.8 (b): factor of safety against water in the crack";
     curves.ratio = "depth of water / z";
     for (const double share : {0.0, 0.5, 1.0}) {
         NamedCurve curve{

@@ -194,10 +194,10 @@ Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report)
     for (const double rotation : {0.0, half, full}) {
         const SlopeRun& run = at("cork", plain, rotation).run;
         const std::string degree = human_number(rotation / degrees(1), 3);
-        report.blocks.emplace_back(folder.draw(moved_slope_figure(run.run, run.run.frames[run.early_frame], run.end,
-                                                                  "Cork, friction 43°, turned by " + degree + "°"),
-                                               "column_" + std::to_string(static_cast<int>(rotation / degrees(1))),
-                                               "In motion."));
+        report.blocks.emplace_back(
+            folder.draw(moved_slope_figure(run.run, run.run.frames[run.early_frame], run.end,
+                                           "Plate 2.VII: cork, friction 43°, turned by " + degree + "°"),
+                        "column_" + std::to_string(static_cast<int>(rotation / degrees(1))), "In motion."));
     }
     return result;
 }

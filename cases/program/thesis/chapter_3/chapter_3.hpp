@@ -3,7 +3,15 @@
 
 #include "cases/program/thesis/reproduction.hpp"
 
+#include <utility>
+
 namespace delabole {
+
+// deg, for figures of one thing by limit equilibrium and by runs; Fig 3.4 is a case, whose axis takes this range.
+inline constexpr std::pair tilts_of_single_columns{4.5, 27.5};
+inline constexpr std::pair heights_of_equal_columns{1.5, 9.5};  // in
+inline constexpr std::pair tilts_of_equal_columns{5.0, 31.0};
+inline constexpr std::pair tilts_of_rows{5.0, 39.0};
 
 Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report);
 Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& report);

@@ -314,18 +314,18 @@ Reproduction reproduce_fig_3_2(const ResultFolder& folder, Report& report) {
     times.y.title = "time";
     times.y.unit = "min";
     times.series = {
-        height_line("right slope", Colour::blue, [](const Row& row) { return row.right_crack_time / minute; }),
-        height_line("left slope", Colour::vermilion, [](const Row& row) -> std::optional<double> {
+        height_line("printed, right slope", Colour::blue, [](const Row& row) { return row.right_crack_time / minute; }),
+        height_line("printed, left slope", Colour::vermilion, [](const Row& row) -> std::optional<double> {
             return row.left_crack_time ? std::optional(*row.left_crack_time / minute) : std::nullopt;
         })};
     angles.title = "Inclination of the critical crack path (Fig 3.2)";
     angles.y.title = "inclination";
     angles.y.unit = "deg";
-    angles.series = {
-        height_line("right slope", Colour::blue, [](const Row& row) { return row.right_crack_angle / degrees(1); }),
-        height_line("left slope", Colour::vermilion, [](const Row& row) -> std::optional<double> {
-            return row.left_crack_angle ? std::optional(*row.left_crack_angle / degrees(1)) : std::nullopt;
-        })};
+    angles.series = {height_line("printed, right slope", Colour::blue,
+                                 [](const Row& row) { return row.right_crack_angle / degrees(1); }),
+                     height_line("printed, left slope", Colour::vermilion, [](const Row& row) -> std::optional<double> {
+                         return row.left_crack_angle ? std::optional(*row.left_crack_angle / degrees(1)) : std::nullopt;
+                     })};
     add_marks(times);
     add_marks(angles);
     report.blocks.emplace_back(Heading{"Fig 3.2 and Table 3.3: slope height"});

@@ -133,6 +133,8 @@ Reproduction reproduce_fig_3_6(const ResultFolder& folder, Report& report) {
     constexpr std::array legends{"one column, and any that part", "two, pressed together", "three", "four"};
     EqualRows rows = equal_rows();
     Figure figure = tilt_figure("Fig 3.6: equal columns on the tilting frame", "height", "in");
+    figure.x.range = heights_of_equal_columns;
+    figure.y.range = tilts_of_equal_columns;
     for (std::size_t index = 0; index < legends.size(); ++index) {
         rows.pressed[index].legend = legends[index];
         rows.pressed[index].colour = colours[index];
@@ -313,6 +315,7 @@ Line heights_line(const std::vector<RowOfHeights>& rows, const std::string& lege
 
 Figure heights_figure(const std::vector<RowOfHeights>& rows, double friction, double printed_tilt) {
     Figure figure = tilt_figure("Fig 3.7: columns of growing and falling height", "number of columns", "");
+    figure.y.range = tilts_of_rows;
     const auto at = [](double angle) { return "friction " + human_number(angle / degrees(1), 3) + "°"; };
     constexpr double other_friction = degrees(30);  // that of chapter 5's nine columns
     Points printed;

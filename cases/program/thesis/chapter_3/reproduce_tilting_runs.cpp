@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <numeric>
 
 namespace delabole {
 
@@ -39,6 +40,13 @@ struct Sampled {
             sum += one;
         }
         return value.empty() ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(value.size());
+    }
+    double deviation() const {
+        double squares = 0;
+        for (const double one : value) {
+            squares += (one - mean()) * (one - mean());
+        }
+        return value.size() < 2 ? 0 : std::sqrt(squares / static_cast<double>(value.size() - 1));
     }
 };
 
@@ -84,19 +92,31 @@ std::vector<Sampled> places(int from, int to) {
     return result;
 }
 
+// Means with their standard deviation. Those of several curves stand beside one another, where lines would mislead.
 void draw_curves(Figure& figure, const std::vector<Curve>& curves) {
+    constexpr std::array markers{Marker::filled_circle, Marker::filled_square, Marker::filled_triangle,
+                                 Marker::filled_diamond, Marker::cross};
+    constexpr double apart = 0.12;
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    Line bars{.legend = "standard deviation", .colour = Colour::grey, .width = 2};
+    std::vector<Points> means;
     for (const Curve& curve : curves) {
-        Line line{.legend = curve.legend, .colour = curve.colour};
-        Points points{.colour = curve.colour, .size = 0.7};
+        const auto number = static_cast<double>(means.size());
+        Points points{.legend = "mean: " + curve.legend, .colour = curve.colour, .marker = markers[means.size()]};
         for (const Sampled& at : curve.at) {
-            line.points.emplace_back(at.x, at.mean() / degrees(1));
-            for (const double value : at.value) {
-                points.points.emplace_back(at.x, value / degrees(1));
-            }
+            const double x = at.x + apart * (number - (static_cast<double>(curves.size()) - 1) / 2);
+            points.points.emplace_back(x, at.mean() / degrees(1));
+            bars.points.insert(bars.points.end(),
+                               {Point(x, (at.mean() - at.deviation()) / degrees(1)),
+                                Point(x, (at.mean() + at.deviation()) / degrees(1)), Point(x, nothing)});
         }
-        figure.series.emplace_back(line);
-        figure.series.emplace_back(points);
+        means.push_back(points);
     }
+    if (means.size() == 1) {
+        figure.series.emplace_back(Line{.points = means.front().points, .colour = means.front().colour});
+    }
+    figure.series.emplace_back(bars);
+    figure.series.insert(figure.series.end(), means.begin(), means.end());
 }
 
 Line single_column_theory(double from, double to) {
@@ -137,6 +157,8 @@ void add_single_columns(const ResultFolder& folder, Report& report, Reproduction
     Figure figure = tilt_figure("Fig 3.4 as runs: single columns", "height", "in");
     figure.series.emplace_back(single_column_theory(least_height, most_height));
     draw_curves(figure, curves);
+    figure.x.range = std::pair{1.72, 9.28};
+    figure.y.range = tilts_of_single_columns;
     report.blocks.emplace_back(folder.draw(figure, "fig_3_4_runs", "Fig 3.4; the tests' points are not printed."));
 }
 
@@ -184,7 +206,10 @@ void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction&
                            "within " + angle_in_words(on_tin), "", "lower ones slide on the tin first"});
     Figure figure = tilt_figure("Fig 3.6 as runs: equal columns", "height", "in");
     draw_curves(figure, curves);
-    report.blocks.emplace_back(folder.draw(figure, "fig_3_6_runs", "Fig 3.6: lines are means, dots single rows."));
+    figure.x.range = heights_of_equal_columns;
+    figure.y.range = tilts_of_equal_columns;
+    report.blocks.emplace_back(
+        folder.draw(figure, "fig_3_6_runs", "Fig 3.6: means of " + std::to_string(samples) + " rows each."));
 }
 
 void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) {
@@ -226,8 +251,18 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
     figure.series.emplace_back(curve(
         least, most, "highest column alone", Colour::grey, Dash::dashed,
         [](double columns) { return std::atan(2 / (std::floor((columns + 1) / 2) * 2)) / degrees(1); }, most - least));
+    figure.series.emplace_back(curve(
+        least, most, "average height alone", Colour::grey, Dash::dotted,
+        [](double columns) {
+            const std::vector<double> heights = growing_and_falling(static_cast<int>(columns));
+            return std::atan(columns / std::accumulate(heights.begin(), heights.end(), 0.0)) / degrees(1);
+        },
+        most - least));
     draw_curves(figure, curves);
-    report.blocks.emplace_back(folder.draw(figure, "fig_3_7_runs", "Fig 3.7."));
+    figure.series.emplace_back(
+        Points{.points = {{9, 16}}, .legend = "printed: nine columns, 16°", .colour = Colour::vermilion});
+    figure.y.range = tilts_of_rows;
+    report.blocks.emplace_back(folder.draw(figure, "fig_3_7_runs", "Fig 3.7: means of two rows each."));
 }
 
 const MotionFrame& frame_at(const RelaxationRun& made, double tilt) {

@@ -75,6 +75,8 @@ ReproductionChapter chapter_4() {
                 {"fig4.7", "Fig 4.7", "two blocks, a/b = 9: boundary friction and the weights behind it",
                  reproduce_fig_4_7},
                 data_item("fig4.8", "Fig 4.8", "boundary base friction against a/b", folder, {"fig_4_8"}),
+                {"eq12-13", "4.2, eqs (12), (13)", "two blocks: the force between them, and where it is compressive",
+                 reproduce_force_between_two_blocks},
                 {"fig4.9", "Fig 4.9", "the modes of three and four blocks", reproduce_fig_4_9},
                 {"fig4.10", "Fig 4.10", "three blocks, friction the same everywhere", reproduce_fig_4_10},
                 {"eq14-19", "4.3, eqs (14) to (19)",

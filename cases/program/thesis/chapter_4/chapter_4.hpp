@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases/program/thesis/reproduction.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
 #include "plots/drawing/figure.hpp"
 
 #include <functional>
@@ -10,10 +11,14 @@
 namespace delabole {
 
 Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report);
+Reproduction reproduce_force_between_two_blocks(const ResultFolder& folder, Report& report);
 
 Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report);
 Reproduction reproduce_equations_14_to_19(const ResultFolder& folder, Report& report);
+
+// Blocks of width 1 m and one weight; angles of friction in degrees.
+BlockRow<> equal_row(int count, double slenderness, double interface_friction, double base_friction);
 
 // A printed angle beside the computed one, degrees.
 PrintedRow angle_row(const std::string& what, double printed, double computed, const std::string& remark);

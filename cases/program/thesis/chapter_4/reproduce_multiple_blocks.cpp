@@ -12,8 +12,6 @@
 
 namespace delabole {
 
-namespace {
-
 BlockRow<> equal_row(int count, double slenderness, double interface_friction, double base_friction) {
     BlockRow<> row{};
     row.base = {degrees(10), degrees(base_friction)};
@@ -21,6 +19,8 @@ BlockRow<> equal_row(int count, double slenderness, double interface_friction, d
     row.block.assign(static_cast<std::size_t>(count), {slenderness, 1, WeightOfBlock<>{1e3}, {}, {}});
     return row;
 }
+
+namespace {
 
 // The modes in which all blocks turn, each by itself: what the thesis counts.
 std::vector<RowModeSummary> whole_row_modes(int count, double slenderness, double phi, double psi) {
@@ -47,8 +47,20 @@ struct ToeMotion {
 constexpr std::array toe_motions{ToeMotion{row_role::forward, "F: toe slides forward", Colour::blue, -0.7},
                                  ToeMotion{row_role::backward, "B: toe slides backward", Colour::vermilion, 0.7}};
 
-// All modes side by side, each block with its letter, turned, and its toe with the direction in which it slides: a turn
-// of 15 deg moves toes apart by only 1 / cos 15 deg - 1 = 4 % of a width, too little to be seen.
+// The modes in the order of the thesis's letters, of which those of three blocks follow from (14) to (17); its figure
+// of four blocks is not legible, and they keep the order of the model.
+std::vector<RowModeSummary> lettered_modes(int count) {
+    constexpr std::array<std::string_view, 5> printed{"FFP", "FPB", "PBB", "FBB", "FFB"};
+    std::vector<RowModeSummary> modes = whole_row_modes(count, 3, 20, 30);
+    if (count == 3) {
+        std::ranges::sort(modes, {},
+                          [&](const RowModeSummary& mode) { return std::ranges::find(printed, mode.roles); });
+    }
+    return modes;
+}
+
+// All modes side by side, each block with its letter below its toe, turned, and its toe with the direction in which it
+// slides: a turn of 15 deg moves toes apart by only 1 / cos 15 deg - 1 = 4 % of a width, too little to be seen.
 Figure mode_gallery(int count) {
     constexpr double slenderness = 3;
     constexpr double tilt = degrees(20);
@@ -66,14 +78,14 @@ Figure mode_gallery(int count) {
                          .displaced_legend = "turned by 15 deg"};
     std::vector<Label> letters;
     int place = 0;
-    for (const RowModeSummary& mode : whole_row_modes(count, slenderness, 20, 30)) {
+    for (const RowModeSummary& mode : lettered_modes(count)) {
         const int in_a_row = count == 3 ? 3 : 4;
         const int line = place / in_a_row;
         const Point shift((count + 2.2) * (place % in_a_row), -(slenderness + count / 2.0 + 1) * line);
         BlockDrawing drawing = row_drawing(equal_row(count, slenderness, 20, 30), mode.roles, tilt, {}, "", turn);
         for (std::size_t index = 0; index < drawing.blocks.size(); ++index) {
             DrawnBlock& block = drawing.blocks[index];
-            block.label = std::string(1, mode.roles[index]);
+            block.label.clear();
             for (Point& corner : block.outline) {
                 corner += shift;
             }
@@ -81,6 +93,10 @@ Figure mode_gallery(int count) {
                 corner += shift;
             }
             const Point toe = shift + static_cast<double>(index) * along;
+            letters.push_back({.at = toe - 0.95 * up,
+                               .text = std::string(1, mode.roles[index]),
+                               .align = Label::Align::centre,
+                               .boxed = false});
             for (std::size_t kind = 0; kind < slips.size(); ++kind) {
                 if (toe_motions[kind].role == mode.roles[index]) {
                     const Point middle = toe - below * up;
@@ -102,6 +118,8 @@ Figure mode_gallery(int count) {
     Figure figure = block_figure(gallery);
     figure.labels.insert(figure.labels.end(), letters.begin(), letters.end());
     figure.frame = false;
+    constexpr int axis = 75;  // px, which only a frame has
+    figure.height -= axis;
     for (Arrows& arrows : slips) {
         figure.series.emplace_back(std::move(arrows));
     }
@@ -144,12 +162,14 @@ Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report) {
                   "(F), then at most one that does not slide (P), then toes that slide backward (B). N blocks have N "
                   "modes with a pivot and N - 1 without, 2N - 1 in all: the counts of the text."});
     report.blocks.emplace_back(printed_table("Counts", result.rows));
-    report.blocks.emplace_back(
-        folder.draw(mode_gallery(3), "fig_4_9_three",
-                    "The five modes of three blocks; arrows show which way a toe slides, not how far."));
-    report.blocks.emplace_back(
-        folder.draw(mode_gallery(4), "fig_4_9_four",
-                    "The seven modes of four blocks; arrows show which way a toe slides, not how far."));
+    report.blocks.emplace_back(folder.draw(mode_gallery(3), "fig_4_9_three",
+                                           "The five modes of three blocks, with the letters of (14) to (17) and (e) "
+                                           "for the fifth; arrows show which way a "
+                                           "toe slides, not how far."));
+    report.blocks.emplace_back(folder.draw(
+        mode_gallery(4), "fig_4_9_four",
+        "The seven modes of four blocks, whose letters in the thesis are not legible; arrows show which way a toe "
+        "slides, not how far."));
     report.blocks.emplace_back(table);
     return result;
 }
@@ -163,6 +183,7 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
     for (const int ratio : {3, 5, 7}) {
         const std::string words = std::to_string(ratio);
         Figure figure = tilt_figure("Fig 4.10: three blocks, a/b = " + words, "friction φ = ψ", "deg");
+        figure.x.range = figure.y.range = std::pair{5.0, 47.0};
         figure.series.emplace_back(mode_line(ratio, "(a) as printed, (14) = (8)", Colour::grey, Dash::dashed,
                                              closed_form::two_equal_blocks_forward<double>));
         figure.series.emplace_back(mode_line(ratio, "(a) FFP as derived", Colour::blue, Dash::solid,

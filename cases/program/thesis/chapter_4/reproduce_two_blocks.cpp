@@ -1,11 +1,16 @@
-// Fig 4.7 of the thesis, two blocks of equal height on a plane: the weights behind its boundaries.
+// Two blocks of equal height on a plane: Fig 4.7 of the thesis with the weights behind its boundaries, and the force
+// between the blocks, equations (12) and (13).
 #include "cases/program/thesis/chapter_4/chapter_4.hpp"
 #include "fitting/work/words.hpp"
+#include "limit_equilibrium/block_row/block_row_solver.hpp"
 #include "limit_equilibrium/block_row/closed_forms.hpp"
+#include "plots/drawing/extent.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/figures.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace delabole {
 
@@ -54,14 +59,6 @@ Figure modes_figure(double slenderness, double w) {
     return figure;
 }
 
-// Letters without a ground of their own, which would hide the curves that the marks stand on.
-void mark_on_curves(const std::vector<PrintedStatement>& printed, Figure& figure) {
-    mark_statements(printed, 1, 1, figure);
-    for (Label& label : figure.labels) {
-        label.boxed = false;
-    }
-}
-
 // Both printed values for a/b = 9, on the forward mode with this share of the weight in the lower block.
 void mark_printed_boundaries(Figure& figure, double w) {
     std::vector<PrintedStatement> printed;
@@ -71,7 +68,15 @@ void mark_printed_boundaries(Figure& figure, double w) {
             {"printed boundary, φ = " + number_in_words(frictions[index]) + " deg: " + number_in_words(psi) + " deg",
              Point(psi, forward(9, w, frictions[index], psi))});
     }
-    mark_on_curves(printed, figure);
+    Frame frame;
+    for (const Series& series : figure.series) {
+        if (const auto* line = std::get_if<Line>(&series)) {
+            frame.include(line->points);
+        }
+    }
+    figure.x.range = std::pair{frame.x.lowest - 1, frame.x.highest + 1};
+    figure.y.range = std::pair{frame.y.lowest - 1, frame.y.highest + 1};
+    mark_statements(printed, 1, 1, figure);
 }
 
 // Share of the lower block's weight that gives both printed boundaries best: one step of Gauss and Newton from between
@@ -91,7 +96,105 @@ double least_squares_share(const std::array<double, 2>& shares, double slenderne
     return numerator / denominator;
 }
 
+// The force between two equal blocks, per weight of a block, at the tilt at which the mode begins.
+struct Interaction {
+    RowModeCheck check{};
+    double tilt_tangent = 0;
+    double thrust = 0;
+};
+
+Interaction interaction(std::string_view roles, double slenderness, double phi, double psi) {
+    const std::vector<RowMember<double>> members = row_members(equal_row(2, slenderness, phi, psi));
+    const RowMode<double> mode = RowModeSolver<double>(members).solve(roles, 0);
+    return {mode.check, mode.tangent, mode.forces.empty() ? 0 : mode.forces.front().thrust / members.front().weight};
+}
+
+// How often S is compressive where the thesis has it so. A closed form leaves rounding where S is 0.
+struct SignsOfInteraction {
+    int forward = 0;
+    int forward_as_printed = 0;  // compressive just where psi > theta and phi + psi < 90 deg
+    int backward = 0;
+    int backward_compressive = 0;
+};
+
+// No sum of the angles of this grid is 90 deg, and none is the angle at which a block topples alone.
+SignsOfInteraction signs_of_interaction() {
+    constexpr double rounding = 1e-12;
+    SignsOfInteraction signs;
+    for (const double slenderness : {1.5, 3.0, 9.0}) {
+        for (double phi = 5; phi < 90; phi += 5) {
+            for (double psi = 2.5; psi < 90; psi += 5) {
+                const Interaction forward = interaction("FP", slenderness, phi, psi);
+                const bool holds = phi + psi < 90 && tangent(psi) > forward.tilt_tangent;
+                ++signs.forward;
+                signs.forward_as_printed += holds == (forward.thrust > rounding) ? 1 : 0;
+                const Interaction backward = interaction("PB", slenderness, phi, psi);
+                if (backward.check != RowModeCheck::no_tilt) {
+                    ++signs.backward;
+                    signs.backward_compressive += backward.thrust > rounding ? 1 : 0;
+                }
+            }
+        }
+    }
+    return signs;
+}
+
+// The greatest friction of both base and interface with which a block can be pushed forward, by bisection.
+double greatest_equal_friction(double slenderness) {
+    double moves = 20;
+    double locked = 80;
+    while (locked - moves > 1e-9) {
+        const double middle = (moves + locked) / 2;
+        (interaction("FP", slenderness, middle, middle).check == RowModeCheck::locked ? locked : moves) = middle;
+    }
+    return moves;
+}
+
+PrintedRow count_row(const std::string& what, const std::string& printed, int met, int of) {
+    return {what, printed, "in " + std::to_string(met) + " of " + std::to_string(of), "", statement(met == of)};
+}
+
 }  // namespace
+
+Reproduction reproduce_force_between_two_blocks(const ResultFolder&, Report& report) {
+    constexpr double slenderness = 3;
+    constexpr double phi = 20;
+    constexpr double psi = 35;
+    const double c = tangent(psi);
+    const double m = tangent(phi) * c;
+    Reproduction result;
+    const auto row = [&](const std::string& name, double printed, double computed) {
+        result.rows.push_back({name + ": S per weight, a/b = 3, φ = 20 deg, ψ = 35 deg", human_number(printed, 5),
+                               human_number(computed, 5), difference_in_words(computed - printed),
+                               "at the tilt at which the mode begins"});
+        result.json[name] = {{"printed", printed}, {"computed", computed}};
+    };
+    const Interaction forward = interaction("FP", slenderness, phi, psi);
+    double theta = std::atan(forward.tilt_tangent);
+    row("(12) forward", (c * std::cos(theta) - std::sin(theta)) / (1 - m), forward.thrust);
+    const Interaction backward = interaction("PB", slenderness, phi, psi);
+    theta = std::atan(backward.tilt_tangent);
+    row("(13) backward", (std::sin(theta) + c * std::cos(theta)) / (1 + m), backward.thrust);
+    const SignsOfInteraction signs = signs_of_interaction();
+    result.rows.push_back(count_row("forward: S is compressive", "where ψ > θ and φ + ψ < 90 deg",
+                                    signs.forward_as_printed, signs.forward));
+    result.rows.push_back(
+        count_row("backward: S is compressive", "always", signs.backward_compressive, signs.backward));
+    const double threshold = interaction("FP", slenderness, phi, in_degrees(1 / slenderness)).thrust;
+    result.rows.push_back({"forward: S where ψ = θ = atan(b/a)", "0", difference_in_words(threshold), "",
+                           statement(std::abs(threshold) < 1e-9)});
+    const double greatest = greatest_equal_friction(slenderness);
+    result.rows.push_back({"forward: greatest φ = ψ with S compressive", "45 deg", human_number(greatest, 4) + " deg",
+                           difference_in_words(greatest - 45) + " deg", statement(std::abs(greatest - 45) < 1e-6)});
+    result.json["greatest_equal_friction_deg"] = greatest;
+    report.blocks.emplace_back(Heading{"Equations (12) and (13): the force between two blocks"});
+    report.blocks.emplace_back(Paragraph{
+        "S is the thrust between two equal blocks. Its signs were computed on a grid of φ from 5 to 85 deg, ψ from 2.5 "
+        "to 87.5 deg and a/b = 1.5, 3 and 9, each at the tilt at which the mode begins; backward where it has one. "
+        "From φ + ψ = 90 deg on, a thrust lies within the friction cone of the base and pushes no block forward."});
+    report.blocks.emplace_back(printed_table("Force between two blocks", result.rows));
+    return result;
+}
 
 Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report) {
     constexpr double slenderness = 9;
@@ -128,6 +231,7 @@ Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report) {
         equal_weights.points.emplace_back(crossing, forward(slenderness, equal, phi, crossing));
     }
     figure.series.emplace_back(equal_weights);
+    figure.height = 580;  // the curves lie close together at the marks
     mark_printed_boundaries(figure, best);
     report.blocks.emplace_back(Heading{"Fig 4.7: two blocks, a/b = 9"});
     report.blocks.emplace_back(Paragraph{

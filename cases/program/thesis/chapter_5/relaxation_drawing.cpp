@@ -137,6 +137,21 @@ Figure frames_figure(const std::string& title, const Chapter5Run& run, const Hoc
     return figure;
 }
 
+void set_one_scale(std::vector<Figure>& figures) {
+    Frame frame;
+    int height = 0;
+    for (const Figure& figure : figures) {
+        frame.include(
+            Polyline{{figure.x.range->first, figure.y.range->first}, {figure.x.range->second, figure.y.range->second}});
+        height = std::max(height, figure.height);
+    }
+    for (Figure& figure : figures) {
+        figure.x.range = std::pair{frame.x.lowest, frame.x.highest};
+        figure.y.range = std::pair{frame.y.lowest, frame.y.highest};
+        figure.height = height;
+    }
+}
+
 Figure history_figure(const std::string& title, const std::string& y_title, const std::string& y_unit,
                       const std::vector<HistoryOf>& histories) {
     constexpr std::array colours{Colour::blue,   Colour::vermilion, Colour::green, Colour::orange,

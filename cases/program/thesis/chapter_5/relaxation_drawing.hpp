@@ -31,6 +31,9 @@ const HockingPrint& print_at(const HockingResult& result, int cycle);
 Figure frames_figure(const std::string& title, const Chapter5Run& run, const HockingResult& result,
                      const std::vector<int>& cycles);
 
+// Gives drawings that are to be compared the ranges that hold all of them.
+void set_one_scale(std::vector<Figure>& figures);
+
 struct HistoryOf {
     std::string legend = {};
     const HockingResult* result = nullptr;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace delabole {
 
@@ -103,13 +104,18 @@ Reproduction reproduce_fig_5_16(const ResultFolder& folder, Report& report) {
     result.json["clean_as_printed"] = behaves_as_printed(run, clean_computed);
     result.json["behaviour"] = behaviour_in_words(run, computed);
     report.blocks.emplace_back(printed_table("Behaviour", result.rows));
-    for (const int cycle : {0, 1000, 2000}) {
-        report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.16: nine columns, 25 deg", run, computed, {cycle}),
-                                               "fig_5_16_" + std::to_string(cycle), "Re-created program."));
+    constexpr std::array cycles{0, 1000, 2000};
+    std::vector<Figure> figures;
+    for (const int cycle : cycles) {
+        figures.push_back(frames_figure("Fig 5.16: nine columns, 25 deg", run, computed, {cycle}));
     }
-    report.blocks.emplace_back(
-        folder.draw(frames_figure("Fig 5.16, clean engine: nine columns, 25 deg", run, clean_computed, {2000}),
-                    "fig_5_16_clean", "The same by the clean engine."));
+    figures.push_back(frames_figure("Fig 5.16, clean engine: nine columns, 25 deg", run, clean_computed, {2000}));
+    set_one_scale(figures);
+    for (std::size_t index = 0; index < cycles.size(); ++index) {
+        report.blocks.emplace_back(
+            folder.draw(figures[index], "fig_5_16_" + std::to_string(cycles[index]), "Re-created program."));
+    }
+    report.blocks.emplace_back(folder.draw(figures.back(), "fig_5_16_clean", "The same by the clean engine."));
     return result;
 }
 

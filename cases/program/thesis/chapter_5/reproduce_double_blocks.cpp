@@ -167,12 +167,13 @@ Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report) {
                         cycle ? human_number(share, 3) : ""});
             if (cycle && engine == Engine::recreated) {
                 const std::string name = "fig_5_12_" + std::to_string(std::lround(run.columns.heights[0] / inch));
-                Figure figure = frames_figure("Fig 5.12: " + run.name, run, computed, {*cycle});
+                Figure figure = frames_figure("Fig 5.12: " + run.name, run, computed, {drawn_cycle});
                 // The three are compared: one scale.
                 figure.x.range = std::pair(-0.5, 5.5);
                 figure.y.range = std::pair(-1.5, 11.5);
                 figure.height = 760;
-                report.blocks.emplace_back(folder.draw(figure, name, "Where block 2 begins to slide backwards."));
+                report.blocks.emplace_back(
+                    folder.draw(figure, name, "Block 2 slides backwards since cycle " + std::to_string(*cycle) + "."));
             }
         }
     }

@@ -57,11 +57,11 @@ Table history_table(const Chapter5Run& run, const SlidingHistory& printed, const
 
 // Each block has a lane: forward above its line, backward below it.
 Figure history_lanes(const Chapter5Run& run, const SlidingHistory& printed, const std::vector<SlidingHistory>& starts) {
-    constexpr double half_lane = 0.38;
+    constexpr double half_lane = 0.28;
     Figure figure{.title = run.name + ": sliding of four blocks",
                   .x = {.title = "cycle"},
                   .y = {.title = "block", .range = std::pair(0.4, 4.6), .grid = false}};
-    Points marks{.legend = "printed", .marker = Marker::filled_circle, .size = 0.9};
+    Points marks{.legend = "printed; up: forward", .marker = Marker::filled_circle, .size = 0.9};
     const auto count = static_cast<double>(starts.size());
     for (std::size_t block = 0; block < run.columns.heights.size(); ++block) {
         const double lane = static_cast<double>(block) + 1;
