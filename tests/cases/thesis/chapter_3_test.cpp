@@ -3,7 +3,9 @@
 #include "tests/cases/thesis/reproduction_fixture.hpp"
 
 #include <cmath>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 namespace delabole {
 namespace {
@@ -103,6 +105,22 @@ TEST_F(Models, ModesThatHappenedCanHappen) {
     // tan 40.5 / tan 50, by hand.
     EXPECT_NEAR(result.json["sliding"]["2.I"].get<double>(), 0.7167, 5e-5);
     EXPECT_NEAR(result.json["toppling_least_face_deg"]["2.III"].get<double>(), 45.5, 1e-12);
+}
+
+// Gnuplot's scripts hold what a drawing names.
+TEST_F(Models, DrawingsNameFaultsAndForces) {
+    const Reproduction result = reproduce("drawings");
+    EXPECT_EQ(result.rows.back().remark.verdict, RowVerdict::not_met) << "the plan of Fig 2.6 is not drawn";
+    const auto holds = [&](const std::string& file, const std::string& text) {
+        std::ifstream stream(path() / "figures" / (file + ".gp"));
+        std::ostringstream script;
+        script << stream.rdbuf();
+        return script.str().find(text) != std::string::npos;
+    };
+    EXPECT_TRUE(holds("fig_2_7", "fault, 45°, gouge 10 mm"));
+    EXPECT_TRUE(holds("fig_2_10_b", "discontinuity, 0°"));
+    EXPECT_TRUE(holds("fig_2_15", "half saturated: 11.9°"));
+    EXPECT_TRUE(holds("fig_2_4", "617.3 ft"));
 }
 
 TEST_F(Models, Groundwater) {

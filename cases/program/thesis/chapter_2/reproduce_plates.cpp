@@ -38,7 +38,7 @@ std::string reasons(std::string_view file, std::string_view outputs) {
     std::string text;
     for (const Expectation& expectation : built_in_case("thesis/chapter_2", file).expectations) {
         if (expectation.unreachable && expectation.quantity.starts_with(outputs)) {
-            text += ": " + *expectation.unreachable;
+            text += (text.empty() ? ": " : "; ") + *expectation.unreachable;
         }
     }
     return text;
