@@ -37,7 +37,9 @@ TEST_F(Chapter3, EveryNameIsListedOnce) {
 TEST_F(Chapter3, TablesMeetTheText) {
     const Reproduction result = reproduce("table3.2");
     for (const PrintedRow& row : result.rows) {
-        EXPECT_NE(row.remark.verdict, RowVerdict::not_met) << row.what;
+        // Runs of the models do no better than a guess.
+        const bool of_runs = row.what.starts_with("base friction models in motion");
+        EXPECT_EQ(row.remark.verdict == RowVerdict::not_met, of_runs) << row.what;
     }
     const Json& behaviour = result.json["behaviour"];
     EXPECT_EQ(behaviour["S"].get<int>() + behaviour["L.E."].get<int>() + behaviour["U"].get<int>(), 52);
