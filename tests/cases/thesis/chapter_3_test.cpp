@@ -24,6 +24,14 @@ bool all_met(const Json& score) {
     return score["met"] == score["of"] && score["of"] > 0;
 }
 
+// Gnuplot's scripts hold what a drawing names.
+bool holds(const std::filesystem::path& folder, const std::string& file, const std::string& text) {
+    std::ifstream stream(folder / "figures" / (file + ".gp"));
+    std::ostringstream script;
+    script << stream.rdbuf();
+    return script.str().find(text) != std::string::npos;
+}
+
 // Fig 3.4 is an item of two chapters.
 TEST_F(Chapter3, EveryNameIsListedOnce) {
     std::set<std::string> names;
@@ -56,6 +64,12 @@ TEST_F(Chapter3, TablesMeetTheText) {
         EXPECT_EQ(guess["of"].get<int>(), behaviour["S"].get<int>() + behaviour["U"].get<int>());
         EXPECT_LE(guess["right"].get<int>(), guess["of"].get<int>());
     }
+}
+
+TEST_F(Chapter3, OneModelHasASawToothJoint) {
+    reproduce("plates3");
+    EXPECT_TRUE(holds(path(), "plate_3_XIII", "saw-tooth joint"));
+    EXPECT_FALSE(holds(path(), "plate_3_X", "saw-tooth joint"));
 }
 
 TEST_F(Chapter3, SlopeHeight) {
@@ -109,20 +123,13 @@ TEST_F(Models, ModesThatHappenedCanHappen) {
     EXPECT_NEAR(result.json["toppling_least_face_deg"]["2.III"].get<double>(), 45.5, 1e-12);
 }
 
-// Gnuplot's scripts hold what a drawing names.
 TEST_F(Models, DrawingsNameFaultsAndForces) {
     const Reproduction result = reproduce("drawings");
     EXPECT_EQ(result.rows.back().remark.verdict, RowVerdict::not_met) << "the plan of Fig 2.6 is not drawn";
-    const auto holds = [&](const std::string& file, const std::string& text) {
-        std::ifstream stream(path() / "figures" / (file + ".gp"));
-        std::ostringstream script;
-        script << stream.rdbuf();
-        return script.str().find(text) != std::string::npos;
-    };
-    EXPECT_TRUE(holds("fig_2_7", "fault, 45°, gouge 10 mm"));
-    EXPECT_TRUE(holds("fig_2_10_b", "discontinuity, 0°"));
-    EXPECT_TRUE(holds("fig_2_15", "half saturated: 11.9°"));
-    EXPECT_TRUE(holds("fig_2_4", "617.3 ft"));
+    EXPECT_TRUE(holds(path(), "fig_2_7", "fault, 45°, gouge 10 mm"));
+    EXPECT_TRUE(holds(path(), "fig_2_10_b", "discontinuity, 0°"));
+    EXPECT_TRUE(holds(path(), "fig_2_15", "half saturated: 11.9°"));
+    EXPECT_TRUE(holds(path(), "fig_2_4", "617.3 ft"));
 }
 
 TEST_F(Models, Groundwater) {

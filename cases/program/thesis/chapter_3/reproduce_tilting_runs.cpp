@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <tuple>
 
 namespace delabole {
 
@@ -294,6 +295,33 @@ Figure frame_figure(const RelaxationRun& made, const MotionFrame& frame, const s
     return block_figure(drawing);
 }
 
+// An arrow to the crack above that column, counted from 1, and its width at the height of the next one.
+void point_at_crack(const RelaxationRun& made, const MotionFrame& frame, std::size_t column, Figure& figure) {
+    const Bodies bodies = make_bodies(made.scene);
+    // The corner of a block that lies farthest that way.
+    const auto corner = [&](std::size_t block, const PlanePoint<>& way) {
+        PlanePoint<> found = moved_corner(bodies, frame.motion, bodies.range[block].begin);
+        for (std::size_t at = bodies.range[block].begin + 1; at < bodies.range[block].end; ++at) {
+            const PlanePoint<> other = moved_corner(bodies, frame.motion, at);
+            found = (other - found).dot(way) > 0 ? other : found;
+        }
+        return found;
+    };
+    const PlanePoint<> below = corner(column - 1, {1, -1});
+    const PlanePoint<> above = corner(column - 1, {1, 1});
+    const PlanePoint<> next = corner(column, {-1, 1});
+    const double face = below.x() + (above.x() - below.x()) * (next.y() - below.y()) / (above.y() - below.y());
+    const auto turned = [&](double x, double y) {
+        return Point(std::cos(frame.tilt) * x - std::sin(frame.tilt) * y,
+                     std::sin(frame.tilt) * x + std::cos(frame.tilt) * y);
+    };
+    const double middle = (face + next.x()) / 2;
+    const Arrow arrow{.from = turned(middle + 0.03, next.y() + 0.05), .to = turned(middle, next.y())};
+    figure.arrows.push_back(arrow);
+    figure.labels.push_back(
+        {.at = arrow.from, .text = "crack, " + human_number(1e3 * (next.x() - face), 2) + " mm", .raise = 0.6});
+}
+
 // Plate 3.XIV: friction between the columns from the tilt of the first crack, all else from the run.
 void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
     constexpr std::size_t columns = 9;
@@ -337,12 +365,16 @@ void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& 
                                            "did by the thesis's own account; ") +
                  movements_in_words(frame, columns)});
     }
-    for (const auto& [tilt, file] : {std::pair{16.0, "plate_3_xiv_crack"}, {32.0, "plate_3_xiv_end"}}) {
+    for (const auto& [tilt, file, what] :
+         {std::tuple{16.0, "plate_3_xiv_crack", " (b)"}, {32.0, "plate_3_xiv_end", " (d)"}}) {
         const MotionFrame& frame = frame_at(made, degrees(tilt));
         const std::string number = human_number(frame.tilt / degrees(1), 3);
-        report.blocks.emplace_back(
-            folder.draw(frame_figure(made, frame, "Plate 3.XIV: nine columns at " + number + " deg"), file,
-                        "Gravity downwards; F: the base."));
+        Figure figure =
+            frame_figure(made, frame, "Plate 3.XIV" + std::string(what) + ": nine columns at " + number + " deg");
+        if (tilt < 20 && failure->crack_after > 0) {
+            point_at_crack(made, frame, failure->crack_after, figure);
+        }
+        report.blocks.emplace_back(folder.draw(figure, file, "Gravity downwards; F: the base."));
     }
 }
 
