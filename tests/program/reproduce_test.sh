@@ -19,6 +19,7 @@ expect_figures results/thesis 4
 expect "rows have their place in the thesis" contains "$scratch/out" '2.3.5, Fig 2.15'
 expect "they fit a terminal of 120 columns" test "$(LC_ALL=C.UTF-8 wc -L <"$scratch/out")" -le 120
 expect "they are counted, and what is left out is named" contains "$scratch/out" 'left out, because they take minutes: plates, '
+expect "what is not met has its reason" refuse contains results/thesis/result.json '"statement NOT met"'
 in_browser results/thesis
 
 title "one part"

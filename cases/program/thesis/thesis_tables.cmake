@@ -22,7 +22,7 @@ foreach(case
     thesis/chapter_2/plate_2_iv_divided thesis/chapter_2/plate_2_v thesis/chapter_2/plate_2_vi
     thesis/chapter_3/fig_3_5 thesis/chapter_4/appendix_a_blocks thesis/chapter_4/fig_3_4 thesis/chapter_4/fig_4_1
     thesis/chapter_4/fig_4_3 thesis/chapter_4/fig_4_4 thesis/chapter_4/fig_4_6
-    thesis/chapter_4/fig_4_8
+    thesis/chapter_4/fig_4_8 thesis/chapter_4/west_face_blocks
     published/rj_1a published/rj_1b published/rj_1c published/rj_1d published/rj_2 published/rj_3 published/rj_4 published/rj_5
     published/rj_6 published/rj_7 published/rj_8 published/rj_9 published/rj_10 published/rj_11 published/rj_12 published/rj_13
     published/rj_14 published/rj_15 published/rj_16 published/rj_17 published/rj_18 published/rj_19

@@ -3,7 +3,9 @@
 #include "tests/cases/thesis/reproduction_fixture.hpp"
 
 #include <cmath>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 namespace delabole {
 namespace {
@@ -22,6 +24,14 @@ bool all_met(const Json& score) {
     return score["met"] == score["of"] && score["of"] > 0;
 }
 
+// Gnuplot's scripts hold what a drawing names.
+bool holds(const std::filesystem::path& folder, const std::string& file, const std::string& text) {
+    std::ifstream stream(folder / "figures" / (file + ".gp"));
+    std::ostringstream script;
+    script << stream.rdbuf();
+    return script.str().find(text) != std::string::npos;
+}
+
 // Fig 3.4 is an item of two chapters.
 TEST_F(Chapter3, EveryNameIsListedOnce) {
     std::set<std::string> names;
@@ -35,7 +45,9 @@ TEST_F(Chapter3, EveryNameIsListedOnce) {
 TEST_F(Chapter3, TablesMeetTheText) {
     const Reproduction result = reproduce("table3.2");
     for (const PrintedRow& row : result.rows) {
-        EXPECT_NE(row.remark.verdict, RowVerdict::not_met) << row.what;
+        // Runs of the models do no better than a guess.
+        const bool of_runs = row.what.starts_with("base friction models in motion");
+        EXPECT_EQ(row.remark.verdict == RowVerdict::not_met, of_runs) << row.what;
     }
     const Json& behaviour = result.json["behaviour"];
     EXPECT_EQ(behaviour["S"].get<int>() + behaviour["L.E."].get<int>() + behaviour["U"].get<int>(), 52);
@@ -52,6 +64,12 @@ TEST_F(Chapter3, TablesMeetTheText) {
         EXPECT_EQ(guess["of"].get<int>(), behaviour["S"].get<int>() + behaviour["U"].get<int>());
         EXPECT_LE(guess["right"].get<int>(), guess["of"].get<int>());
     }
+}
+
+TEST_F(Chapter3, OneModelHasASawToothJoint) {
+    reproduce("plates3");
+    EXPECT_TRUE(holds(path(), "plate_3_XIII", "saw-tooth joint"));
+    EXPECT_FALSE(holds(path(), "plate_3_X", "saw-tooth joint"));
 }
 
 TEST_F(Chapter3, SlopeHeight) {
@@ -103,6 +121,15 @@ TEST_F(Models, ModesThatHappenedCanHappen) {
     // tan 40.5 / tan 50, by hand.
     EXPECT_NEAR(result.json["sliding"]["2.I"].get<double>(), 0.7167, 5e-5);
     EXPECT_NEAR(result.json["toppling_least_face_deg"]["2.III"].get<double>(), 45.5, 1e-12);
+}
+
+TEST_F(Models, DrawingsNameFaultsAndForces) {
+    const Reproduction result = reproduce("drawings");
+    EXPECT_EQ(result.rows.back().remark.verdict, RowVerdict::not_met) << "the plan of Fig 2.6 is not drawn";
+    EXPECT_TRUE(holds(path(), "fig_2_7", "fault, 45°, gouge 10 mm"));
+    EXPECT_TRUE(holds(path(), "fig_2_10_b", "discontinuity, 0°"));
+    EXPECT_TRUE(holds(path(), "fig_2_15", "half saturated: 11.9°"));
+    EXPECT_TRUE(holds(path(), "fig_2_4", "617.3 ft"));
 }
 
 TEST_F(Models, Groundwater) {

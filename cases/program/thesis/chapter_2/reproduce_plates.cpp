@@ -2,6 +2,7 @@
 // criteria of 2.3.3.2 beside the thesis's verdicts.
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
@@ -32,15 +33,30 @@ Remark stated(FieldVerdict printed, FieldVerdict computed) {
     return printed == FieldVerdict::not_said ? Remark() : statement(printed == computed);
 }
 
-void add_rows(const MechanismVerdict& printed, const FieldScore& score, Reproduction& result) {
-    const auto row = [&](const std::string& criterion, FieldVerdict said, FieldVerdict found,
-                         const std::string& words) {
+// What the case says of values that its run does not reach, of those outputs.
+std::string reasons(std::string_view file, std::string_view outputs) {
+    std::string text;
+    for (const Expectation& expectation : built_in_case("thesis/chapter_2", file).expectations) {
+        if (expectation.unreachable && expectation.quantity.starts_with(outputs)) {
+            text += (text.empty() ? ": " : "; ") + *expectation.unreachable;
+        }
+    }
+    return text;
+}
+
+void add_rows(const Plate& plate, const MechanismVerdict& printed, const FieldScore& score, Reproduction& result) {
+    const auto row = [&](const std::string& criterion, FieldVerdict said, FieldVerdict found, const std::string& words,
+                         std::string_view outputs) {
+        Remark remark = stated(said, found);
+        if (remark.verdict == RowVerdict::not_met) {
+            remark += reasons(plate.file, outputs);
+        }
         result.rows.push_back({printed.plate + ": " + criterion, human_name(word_of(said)),
-                               std::string(word_of(found)) + ": " + words, "", stated(said, found)});
+                               std::string(word_of(found)) + ": " + words, "", remark});
     };
-    row("profile", printed.profile, score.profile, score.profile_in_words);
-    row("crest cracks", printed.cracks, score.cracks, score.cracks_in_words);
-    row("block movements", printed.movements, score.movements, score.movements_in_words);
+    row("profile", printed.profile, score.profile, score.profile_in_words, "post_failure.");
+    row("crest cracks", printed.cracks, score.cracks, score.cracks_in_words, "early_failure.");
+    row("block movements", printed.movements, score.movements, score.movements_in_words, "early_failure.");
 }
 
 Json json_of(const SlopeRun& run, const FieldScore& score) {
@@ -107,7 +123,7 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
     for (std::size_t index = 0; index < plates.size(); ++index) {
         const auto printed = std::ranges::find(verdicts, plates[index].plate, &MechanismVerdict::plate);
         const FieldScore score = score_of(runs[index]);
-        add_rows(*printed, score, result);
+        add_rows(plates[index], *printed, score, result);
         result.json[printed->plate] = json_of(runs[index], score);
         if (printed->plate == "2.III") {
             constexpr double seen = 1;  // deg; less does not show on a photograph

@@ -1,4 +1,4 @@
-// Figs 2.1, 2.4, 2.5, 2.7 and 2.10 of the thesis drawn again from printed numbers and from the models' scenes.
+// Figs 2.1, 2.4, 2.5, 2.7, 2.10 and 2.15 of the thesis drawn again from printed numbers and from the models' scenes.
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
@@ -8,10 +8,13 @@
 #include "plots/drawing/text.hpp"
 #include "plots/figures/block_figures.hpp"
 #include "plots/figures/stereonet.hpp"
+#include "water/column_tilt.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace delabole {
@@ -32,55 +35,81 @@ Polyline surface(double lower, double upper) {
 
 // Figs 2.4 and 2.5: what the survey leaves open, between the gentlest and the steepest surfaces.
 Figure profile_figure() {
+    constexpr double left = -30;
+    constexpr double right = 240;
     const double boundary_x = surface(degrees(40), degrees(70))[1].x() - 5;
     Figure figure{.title = "Figs 2.4 and 2.5: the failure of 1967",
-                  .x = {.title = "distance from the foot"},
-                  .y = {.title = "level"}};
-    figure.x.unit = figure.y.unit = "ft";
-    figure.equal_scales = true;
-    figure.series = {
-        Line{.points = surface(degrees(40), degrees(70)), .legend = "40° and 70°", .colour = Colour::blue},
-        Line{.points = surface(degrees(45), degrees(75)), .legend = "45° and 75°", .colour = Colour::vermilion},
-        Line{.points = {Point(0, foot_level), Point((top_level - foot_level) / std::tan(degrees(60)), top_level)},
-             .legend = "face of the models, 60°",
-             .colour = Colour::black,
-             .dash = Dash::dashed},
-        Line{.points = {Point(0, foot_level), Point((top_level - foot_level) / std::tan(degrees(70)), top_level)},
-             .legend = "face of Fig 2.8, 70°",
-             .colour = Colour::black,
-             .dash = Dash::dotted},
-        // Traced north of the fall at 420 ft; that it is the fault where the two surfaces meet is a speculation.
-        Line{.points = {Point(boundary_x - 60, 360), Point(boundary_x + 80, 500)},
-             .legend = "green over grey slate, perhaps a fault: 420 ft, 45° to the pit",
-             .colour = Colour::green}};
+                  .x = {.title = "distance from the foot", .unit = "ft", .range = std::pair(left, right)},
+                  .y = {.title = "level", .unit = "ft", .range = std::pair(340, 640)},
+                  .equal_scales = true,
+                  .height = 720};
     for (const auto& [level, what] :
          {std::pair{617.3, "617.3 ft: bench 1, cracks"}, std::pair{top_level, "575 ft: third bench"},
           std::pair{475.0, "475 ft: some seepage"}, std::pair{knee_level, "425 ft: seepage"},
           std::pair{foot_level, "350 ft: foot"}}) {
-        figure.labels.push_back({.at = Point(-20, level), .text = what, .align = Label::Align::right, .size = 0.8});
+        figure.series.emplace_back(
+            Line{.points = {Point(left, level), Point(right, level)}, .colour = Colour::grey, .dash = Dash::dotted});
+        figure.labels.push_back({.at = Point(right - 3, level),
+                                 .text = what,
+                                 .align = Label::Align::right,
+                                 .raise = 0.6,
+                                 .boxed = false,
+                                 .size = 0.8});
     }
-    figure.x.range = {-270, 180};
-    figure.height = 560;
-    figure.y.range = {340, 630};
+    const auto face = [](double angle) {
+        return Polyline{Point(0, foot_level), Point((top_level - foot_level) / std::tan(angle), top_level)};
+    };
+    figure.series.emplace_back(Line{
+        .points = surface(degrees(40), degrees(70)), .legend = "failure surface, 40° and 70°", .colour = Colour::blue});
+    figure.series.emplace_back(Line{.points = surface(degrees(45), degrees(75)),
+                                    .legend = "failure surface, 45° and 75°",
+                                    .colour = Colour::vermilion});
+    figure.series.emplace_back(
+        Line{.points = face(degrees(60)), .legend = "face of the models, 60°", .dash = Dash::dashed});
+    figure.series.emplace_back(
+        Line{.points = face(degrees(70)), .legend = "face of Fig 2.8, 70°", .dash = Dash::dotted});
+    // Traced north of the fall at 420 ft; that it is the fault where the two surfaces meet is a speculation.
+    figure.series.emplace_back(Line{.points = {Point(boundary_x - 60, 360), Point(boundary_x + 50, 470)},
+                                    .legend = "green over grey slate, perhaps a fault: 420 ft, 45° to the pit",
+                                    .colour = Colour::green});
     return figure;
 }
 
-// How each joint set lies, as a short line with its name and dip, in the space in front of the face.
+struct Direction {
+    double dip;  // rad, to the pit
+    std::string words;
+};
+
+Direction direction_of(const SlopeCut& cut) {
+    Direction direction{0, cut.joint + ", "};
+    std::string gouge;
+    if (const auto* line = std::get_if<LineCut>(&cut.trace)) {
+        const SectionPoint& from = line->vertex.front();
+        const SectionPoint& to = line->vertex.back();
+        direction.dip = std::atan2(to.y - from.y, to.x - from.x);
+        gouge = line->thickness ? ", gouge " + human_number(*line->thickness * 1e3, 2) + " mm" : "";
+    } else {
+        direction.dip = std::get<JointSetCut>(cut.trace).dip;
+    }
+    direction.words += human_number(std::abs(direction.dip) / degrees(1), 3) + "°" + gouge;
+    return direction;
+}
+
+// How each joint set, a fault and a discontinuity lie, as a short line with name and dip, in the space in front of the
+// face.
 void add_directions(const RelaxationSlope& slope, Figure& figure) {
     constexpr double half = 0.025;     // m, of a line
-    constexpr double between = 0.075;  // m
+    constexpr double between = 0.065;  // m
     std::vector<std::string> named;
     for (const SlopeCut& cut : slope.geometry.cut) {
-        const auto* set = std::get_if<JointSetCut>(&cut.trace);
-        if (set == nullptr || std::ranges::find(named, cut.joint) != named.end() || cut.joint == "fault") {
+        if (std::ranges::find(named, cut.joint) != named.end()) {
             continue;
         }
-        const Point middle(-0.16, 0.3 - between * static_cast<double>(named.size()));
-        const Point along = half * Point(std::cos(set->dip), std::sin(set->dip));
+        const Direction direction = direction_of(cut);
+        const Point middle(-0.175, 0.3 - between * static_cast<double>(named.size()));
+        const Point along = half * Point(std::cos(direction.dip), std::sin(direction.dip));
         figure.series.emplace_back(Line{.points = {middle - along, middle + along}, .colour = Colour::vermilion});
-        figure.labels.push_back({.at = middle + Point(half + 0.01, 0),
-                                 .text = cut.joint + ", " + human_number(std::abs(set->dip) / degrees(1), 3) + "°",
-                                 .size = 0.8});
+        figure.labels.push_back({.at = middle + Point(half + 0.01, 0), .text = direction.words, .size = 0.8});
         named.push_back(cut.joint);
     }
 }
@@ -106,6 +135,94 @@ Figure scene_figure(std::string_view name, const std::string& title) {
     }
     Figure figure = block_figure(drawing);
     add_directions(slope, figure);
+    return figure;
+}
+
+// Fig 2.7: the column above pushes along joint A, what is below the fault is to pop out along cleavage and joint A.
+void add_undercutting(Figure& figure) {
+    const auto arrow = [&](Point from, Point to, const std::string& text) {
+        figure.arrows.push_back({.from = from, .to = to, .colour = Colour::vermilion});
+        figure.labels.push_back({.at = from, .text = text, .align = Label::Align::left, .raise = 0.6, .size = 0.8});
+    };
+    arrow(Point(0.145, 0.28), Point(0.145, 0.28) - 0.11 * Point(std::cos(degrees(70)), std::sin(degrees(70))),
+          "pushes");
+    arrow(Point(0.075, 0.055), Point(-0.035, 0.045), "pops out");
+}
+
+// The faults that were modelled: into the slope out of one point of the face, to the pit out of one of the bottom.
+Figure fault_figure() {
+    constexpr double height = 343;  // mm, of the models
+    constexpr double length = 180;  // of a fault
+    const double crest = height / std::tan(degrees(60));
+    Figure figure{.title = "Fig 2.10 (b): dips of the faults modelled",
+                  .x = {.title = "distance from the toe", .unit = "mm", .range = std::pair(-60, 480)},
+                  .y = {.title = "height above the toe", .unit = "mm", .range = std::pair(-20, 380)},
+                  .equal_scales = true};
+    figure.series.emplace_back(Line{.points = {Point(-60, 0), Point(0, 0), Point(crest, height), Point(480, height)}});
+    const auto fault = [&](double dip, const Point& from, double sense, Colour colour) {
+        const Point end = from + length * Point(std::cos(degrees(dip)), sense * std::sin(degrees(dip)));
+        figure.series.emplace_back(Line{.points = {from, end}, .colour = colour});
+        figure.labels.push_back({.at = from + 0.8 * (end - from),
+                                 .text = human_number(dip, 2) + "°",
+                                 .align = Label::Align::centre,
+                                 .size = 0.8});
+    };
+    for (const double dip : {0, 30, 45, 60, 90}) {
+        fault(dip, Point(crest * 0.55, height * 0.55), -1, Colour::vermilion);
+    }
+    for (const double dip : {45, 70}) {
+        fault(dip, Point(300, 0), 1, Colour::blue);
+    }
+    return figure;
+}
+
+// Fig 2.15: one column of joint A with the water in the joint, and its resultant with the weight.
+Figure water_figure() {
+    Figure figure{.title = "Fig 2.15: water in joint A, half and fully saturated",
+                  .equal_scales = true,
+                  .frame = false,
+                  .height = 330};
+    auto column = std::get<TiltedColumn<>>(built_in_case("plane_failure", "groundwater_by_tilting").model);
+    const Point up(std::cos(column.joint_dip), std::sin(column.joint_dip));  // along the joint
+    const Point to_column(-up.y(), up.x());
+    const double length = 1 / up.y();
+    constexpr double width = 0.24;   // of the column, whose height is 1
+    constexpr double weight = 0.55;  // length of its arrow
+    Arrows weights{.legend = "weight W"};
+    Arrows water{.legend = "water force U", .colour = Colour::blue};
+    Arrows resultants{.legend = "their resultant", .colour = Colour::vermilion};
+    for (const auto& [filled, left, words] :
+         {std::tuple{0.5, 0.0, "half saturated"}, std::tuple{1.0, 1.5, "fully saturated"}}) {
+        column.filled_ratio = filled;
+        const ColumnTilt answer = analyse(column);
+        const Point foot(left, 0);
+        const Point across(-width, 0);
+        figure.series.emplace_back(Region{
+            .outline = {foot, foot + length * up, foot + length * up + across, foot + across}, .colour = Colour::rock});
+        figure.series.emplace_back(Line{.points = {foot + length * up, foot}, .width = 3.5});
+        // Pressure, drawn on the side of the rock behind the joint.
+        figure.series.emplace_back(
+            Region{.outline = {foot, foot + filled * length * up, foot - 0.35 * filled * to_column},
+                   .legend = left > 0 ? "pressure of the water in joint A" : "",
+                   .colour = Colour::sky});
+        const Point middle = foot + length / 2 * up + across / 2;
+        const Point down(0, -weight);
+        const Point push = answer.water_force_over_weight * weight * to_column;
+        weights.shafts.push_back({middle, middle + down});
+        water.shafts.push_back({middle + down, middle + down + push});
+        resultants.shafts.push_back({middle, middle + down + push});
+        figure.labels.push_back({.at = foot + Point(0.1, -0.28),
+                                 .text = std::string(words) + ": " + human_number(answer.tilt / degrees(1), 3) + "°",
+                                 .align = Label::Align::centre,
+                                 .boxed = false});
+        figure.labels.push_back(
+            {.at = foot + length * up + Point(0.03, 0), .text = "joint A, 70°", .raise = -0.6, .boxed = false});
+    }
+    figure.series.emplace_back(weights);
+    figure.series.emplace_back(water);
+    figure.series.emplace_back(resultants);
+    figure.x.range = {-0.7, 2.4};
+    figure.y.range = {-0.4, 1.1};
     return figure;
 }
 
@@ -187,11 +304,8 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
     Reproduction result;
     const auto study = std::get<KinematicsStudy>(built_in_case("delabole_1967", "delabole_joint_sets").model);
     const KinematicsResult sets = analyse(study);
-    report.blocks.emplace_back(Heading{"Figs 2.1, 2.4, 2.5, 2.7 and 2.10, drawn again"});
-    report.blocks.emplace_back(Paragraph{
-        "Fig 2.1 is drawn with poles spread evenly over the ranges of the text. Fig 2.6, a plan of the crest that is "
-        "not to scale, and its pegs cannot be drawn: no place of a crack or peg is printed but the benches they lie "
-        "on."});
+    report.blocks.emplace_back(Heading{"Figs 2.1, 2.4, 2.5, 2.7, 2.10 and 2.15, drawn again"});
+    report.blocks.emplace_back(Paragraph{"Fig 2.1 is drawn with poles spread evenly over the ranges of the text."});
     report.blocks.emplace_back(
         folder.draw(stereonet_figure(study.model, sets), "fig_2_1", "Poles sampled from the printed ranges."));
     add_traces(sets, study.model.slope.face_dip_direction, folder, report, result);
@@ -211,15 +325,29 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
         Drawing{"plate_2_vi", "Fig 2.10 (b): joint B ends at a discontinuity", "fig_2_10_b",
                 "The model of Plate 2.VI."}};
     for (const Drawing& drawing : drawings) {
-        report.blocks.emplace_back(
-            folder.draw(scene_figure(drawing.model, drawing.title), drawing.file, drawing.caption));
+        Figure figure = scene_figure(drawing.model, drawing.title);
+        if (drawing.file == "fig_2_7") {
+            add_undercutting(figure);
+        }
+        report.blocks.emplace_back(folder.draw(figure, drawing.file, drawing.caption));
     }
+    report.blocks.emplace_back(folder.draw(
+        fault_figure(), "fig_2_10_faults",
+        "Two groups are printed, 0, 30, 45, 60, 90 and 45, 70 deg; of the bars that mark dips into the slope "
+        "no more than that of the 45 deg of Plate 2.II is sure. Drawn with the first group into the slope, the "
+        "second, as joint A and the boundary of the slates, to the pit."));
+    report.blocks.emplace_back(folder.draw(
+        water_figure(), "fig_2_15",
+        "Angles are those of the resultant from the vertical. Forces to scale: U from the tilt of 47.5° when "
+        "the joint is full."));
     // The knee lies a third of the way up; between gentlest and steepest the failure's top moves by so much.
     const double wide = surface(degrees(40), degrees(70)).back().x() - surface(degrees(45), degrees(75)).back().x();
     result.rows.push_back({"top of the failure behind its foot", "40 to 45° and 70 to 75°",
                            human_number(surface(degrees(45), degrees(75)).back().x(), 3) + " to " +
                                human_number(surface(degrees(40), degrees(70)).back().x(), 3) + " ft",
                            human_number(wide, 2) + " ft", "what the inclinations leave open"});
+    result.rows.push_back({"Fig 2.6: plan of the crest with cracks and pegs", "drawn, not to scale", "not drawn", "",
+                           statement(false) + ": no place of a crack or peg is printed but the benches they lie on"});
     report.blocks.emplace_back(printed_table("The printed inclinations", result.rows));
     return result;
 }

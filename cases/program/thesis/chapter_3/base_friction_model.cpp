@@ -2,6 +2,7 @@
 
 #include "cases/program/thesis/imperial.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -124,7 +125,11 @@ RelaxationSlope model_as_cut(const BaseFrictionGeometry& geometry) {
     slope.geometry.outline = outline_of(geometry);
     slope.geometry.cut = cuts_of(geometry);
     slope.geometry.intact_joint = "joint";  // where rock is divided so that blocks are convex
-    slope.geometry.sliver_share = 0.15;
+    // Of the size of the middling block, a piece of a column: what is as wide as the columns is no sliver.
+    const double length =
+        geometry.cross_joint_spacing.value_or((geometry.slope_height + geometry.depth) / std::sin(geometry.joint_dip));
+    const double size = std::sqrt(geometry.joint_spacing * length);
+    slope.geometry.sliver_share = std::min(0.15, 0.5 * geometry.joint_spacing / size);
     // No joint is cut truer by hand.
     slope.geometry.snap_distance = 0.03 * geometry.joint_spacing;
     slope.rock = {{"mixture", mixture_density}};

@@ -31,8 +31,26 @@ struct PlateModel {
 struct DrawnModel {
     std::vector<DrawnBlock> blocks;
     std::vector<Polyline> paths;
+    Polyline saw_tooth;
     Frame frame;
 };
+
+// A joint of teeth from the crest down to the bottom, whose size is not printed.
+Polyline saw_tooth_joint(const BaseFrictionGeometry& geometry) {
+    constexpr double tooth = 1;     // in, along the joint
+    constexpr double height = 0.4;  // in, of a tooth
+    const double crest = (geometry.slope_height - geometry.vertical_cut) / inch;
+    const Point along(std::cos(geometry.joint_dip), -std::sin(geometry.joint_dip));
+    const Point across(-along.y(), along.x());
+    const double length = (geometry.slope_height + geometry.depth) / inch / -along.y();
+    Polyline joint;
+    for (int half = 0; half * tooth / 2 <= length; ++half) {
+        const double side = (half % 2 == 0 ? -0.5 : 0.5) * height;
+        joint.push_back(Point(crest / std::tan(geometry.slope_angle), crest) + half * tooth / 2 * along +
+                        side * across);
+    }
+    return joint;
+}
 
 DrawnModel draw_model(const BaseFrictionState& state) {
     const BaseFrictionGeometry geometry = geometry_of(state);
@@ -46,6 +64,9 @@ DrawnModel draw_model(const BaseFrictionState& state) {
         }
         drawn.frame.include(shown.outline);
         drawn.blocks.push_back(std::move(shown));
+    }
+    if (geometry.saw_tooth) {
+        drawn.saw_tooth = saw_tooth_joint(geometry);
     }
     const Point toe(0, -geometry.vertical_cut / inch);
     const double rise = geometry.slope_height / inch;
@@ -93,6 +114,10 @@ Figure plate_figure(const std::string& plate, const std::vector<const BaseFricti
                                     .legend = paths.empty() ? "critical crack path, printed inclination" : "",
                                     .colour = Colour::vermilion});
         }
+        if (!model.saw_tooth.empty()) {
+            std::ranges::for_each(model.saw_tooth, [&](Point& corner) { corner += shift; });
+            paths.emplace_back(Line{.points = model.saw_tooth, .legend = "saw-tooth joint", .colour = Colour::blue});
+        }
         labels.push_back({.at = Point(offset + model.frame.x.size() / 2, model.frame.y.highest),
                           .text = caption_of(*state),
                           .align = Label::Align::centre,
@@ -120,7 +145,9 @@ Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& 
     report.blocks.emplace_back(Paragraph{
         "Models of Table 3.2 as they were cut, in the last state that the table tells of, with the critical crack path "
         "at its printed inclination from the toe. The thesis does not print how far the ground in "
-        "front of the toe went, nor where columns begin: that is chosen. The photographs are not at hand."});
+        "front of the toe went, nor where columns begin, nor how large the teeth of 14D's joint are: that is chosen. "
+        "The "
+        "photographs are not at hand."});
     std::vector<std::string> plates;
     for (const PlateModel& row : rows) {
         if (std::ranges::find(plates, row.plate) == plates.end()) {

@@ -81,8 +81,9 @@ ReproductionChapter chapter_4() {
                 {"fig4.10", "Fig 4.10", "three blocks, friction the same everywhere", reproduce_fig_4_10},
                 {"eq14-19", "4.3, eqs (14) to (19)",
                  "equations (14) to (19) printed and derived; does a third block help?", reproduce_equations_14_to_19},
-                data_item("blocks", "4.4, 3.3.1", "the columns of Appendix A cut into blocks, in motion", folder,
-                          {"appendix_a_blocks"}),
+                data_item("blocks", "4.4, 3.3.1",
+                          "the columns of Appendix A and the west face cut into blocks, in motion", folder,
+                          {"appendix_a_blocks", "west_face_blocks"}),
             }};
 }
 

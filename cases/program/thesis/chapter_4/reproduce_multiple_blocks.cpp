@@ -223,7 +223,9 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
         const std::string derived = least_in_words(1);
         const std::string as_printed = least_in_words(0);
         result.rows.push_back(
-            {"a/b = " + words + ": least stable mode", "(a)", derived, "", "with (14) as printed: " + as_printed});
+            {"a/b = " + words + ": least stable mode", "(a)", derived, "",
+             statement(derived == letters.front()) +
+                 ": (14) leaves the third block out of the thrusts; with it as printed: " + as_printed});
         result.rows.push_back({"a/b = " + words + ": most unlikely mode", "(c)",
                                "(c) up to " + human_number(highest_up_to, 3) + " deg", "",
                                statement(true) + (highest_up_to < 45 ? " below that" : "")});

@@ -318,8 +318,9 @@ void add_other_part(const std::string& what, const std::vector<Chapter5Run>& run
     result.json["gravity_turned"][what] = {{"agree", agree}, {"of", runs.size()}};
     result.rows.push_back(
         {what + ", gravity turned instead: outcomes as printed", std::to_string(runs.size()), std::to_string(agree), "",
-         "so the base was turned: turned gravity pushes nothing, and no input that 'tilted_blocks' changes "
-         "gives all outcomes with it"});
+         statement(agree == std::ssize(runs)) +
+             ": so the base was turned: turned gravity pushes nothing, and no input that 'tilted_blocks' changes "
+             "gives all outcomes with it"});
 }
 
 Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report) {

@@ -106,9 +106,9 @@ void add_history(const Chapter5Run& run, const HockingResult& reference, const s
         {run.name + ": rows as those of " + std::to_string(starts.size()) + " starts, on average",
          "as starts among themselves: " + share_in_words(agrees.least) + " to " + share_in_words(agrees.greatest),
          share_in_words(agrees.mean), "",
-         std::string(one_of_them ? "as far" : "farther") +
-             " off as starts are from each other; the nearest agrees in " + share_in_words(agrees.nearest) +
-             " of blocks and rows, by chance it would be " + share_in_words(agrees.by_chance)});
+         statement(one_of_them) + (one_of_them ? ": " : ": no reason found; ") + "the nearest agrees in " +
+             share_in_words(agrees.nearest) + " of blocks and rows, by chance it would be " +
+             share_in_words(agrees.by_chance)});
     Json& json = result.json["histories"][run.name];
     json = {{"mean", agrees.mean},
             {"nearest", agrees.nearest},
@@ -161,6 +161,7 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
     int count = 0;
     int senses = 0;
     int sensed = 0;
+    std::vector<int> senses_of_starts(shifted_starts, 0);
     int clean_within = 0;
     int clean_senses = 0;
     const std::vector<Chapter5Run> runs = chapter_5_runs("quadruple");
@@ -189,6 +190,10 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
             if (printed.forward != printed.backward) {
                 ++sensed;
                 senses += forward_prevails(computed[column]) == forward_prevails(printed) ? 1 : 0;
+                for (std::size_t start = 0; start < starts.size(); ++start) {
+                    senses_of_starts[start] +=
+                        forward_prevails(totals_of(run, starts[start])[column]) == forward_prevails(printed) ? 1 : 0;
+                }
                 clean_senses += forward_prevails(clean_totals[column]) == forward_prevails(printed) ? 1 : 0;
             }
             const auto as_json = [](const SlidingTotals& totals) {
@@ -219,8 +224,14 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
     result.json["clean_senses_as_printed"] = clean_senses;
     result.rows.push_back({"printed totals within the range of the starts", std::to_string(count),
                            std::to_string(within), "", "", std::to_string(clean_within)});
-    result.rows.push_back({"blocks whose prevailing sense is the printed one", std::to_string(sensed),
-                           std::to_string(senses), "", "", std::to_string(clean_senses)});
+    const auto [fewest, most] = std::ranges::minmax(senses_of_starts);
+    result.json["senses_of_starts"] = senses_of_starts;
+    result.rows.push_back(
+        {"blocks whose prevailing sense is the printed one", std::to_string(sensed), std::to_string(senses), "",
+         statement(senses == sensed) + ": with the last typed digits shifted " + std::to_string(fewest) + " to " +
+             std::to_string(most) + ", all of them in " + std::to_string(std::ranges::count(senses_of_starts, sensed)) +
+             " of " + std::to_string(shifted_starts) + " starts",
+         std::to_string(clean_senses)});
     report.blocks.emplace_back(table);
     std::ranges::move(histories.blocks, std::back_inserter(report.blocks));
     report.blocks.emplace_back(printed_table("How far the histories are reproducible", result.rows));
