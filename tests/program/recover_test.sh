@@ -39,6 +39,11 @@ delabole recover sliding.toml --repetitions 5 --out few --quiet
 expect_status 0
 expect "the same" cmp few/repetitions_structural_sliding.csv <(head -n 6 prior/repetitions_structural_sliding.csv)
 
+title "costly mechanisms are never recovered, and named"
+delabole recover "$source_folder/cases/delabole_1967/delabole_1967.toml" --repetitions 1 --no-report --out without_costly
+expect_output 'Left out: jointed_slope and jointed_slope_above_fault. Every prediction is a run of dynamic relaxation'
+expect "so does the result" contains without_costly/result.json '"left_out"'
+
 title "data made from the best fit"
 delabole recover sliding.toml --repetitions 5 --at-best --out best --json
 expect_status 0
@@ -66,6 +71,8 @@ expect_complete_results stopped
 
 title "what to measure next, with a fit"
 delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fitted
+expect "the first sentence of the report says that the ranking follows the priors" \
+    grep -qE '<p>Which of the 3 compared explains best depends on what was put in: stepped_toppling as given, with a probability of [0-9]+ %, critical_sliding with flat priors' fitted/report.html
 expect_output 'what to measure next'
 expect_output 'piezometers behind the face'
 expect "table" test -s fitted/value_of_information.csv

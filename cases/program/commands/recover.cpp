@@ -10,6 +10,7 @@
 #include "cases/program/terminal/progress.hpp"
 #include "fitting/back_analysis/steps.hpp"
 #include "fitting/mechanism/misfit.hpp"
+#include "fitting/work/words.hpp"
 
 #include <algorithm>
 
@@ -80,6 +81,12 @@ std::string reservation_of_recovery(const std::string& status) {
                                 : "not converged: of a mechanism no repetition counts; the causes are in the report";
 }
 
+// A sentence on the mechanisms that are never recovered.
+std::string left_out_of_recovery(const std::vector<std::string>& names) {
+    return "Left out: " + list_in_words(names) + ". Every prediction is a run of dynamic relaxation, and every " +
+           "repetition a whole fit.";
+}
+
 }  // namespace
 
 ExitCode recover_command(const std::filesystem::path& path, const Options& options) {
@@ -89,7 +96,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     if (!file.fit) {
         throw CaseError({problem_at(file, "fit", "the case has no [fit] section: there is nothing to recover")});
     }
-    leave_out_costly(*file.fit);
+    const std::vector<std::string> left_out = leave_out_costly(*file.fit);
     FitProblem problem = fit_problem_of(file, options.threads, options.seed);
     if (problem.observations.empty()) {
         throw CaseError({problem_at(file, "fit",
@@ -113,10 +120,15 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     const std::string status = status_of(recoveries);
     const std::string reserved = reservation_of_recovery(status);
     add_reservation(reserved, status == "interrupted", report);
-    const StudyDocuments documents = document_recovery(recoveries, options.at_best, folder, report);
+    StudyDocuments documents = document_recovery(recoveries, options.at_best, folder, report);
     Json json;
     json["status"] = status;
     json.update(documents.json);
+    if (!left_out.empty()) {
+        json["left_out"] = left_out;
+        documents.screen += left_out_of_recovery(left_out) + "\n";
+        report.blocks.emplace_back(Paragraph{left_out_of_recovery(left_out)});
+    }
     Json source = provenance(file, "recover", options, watch.seconds());
     source["repetitions"] = options.repetitions;
     source["at"] = options.at_best ? "best" : "prior";

@@ -121,11 +121,18 @@ HeadCard head_card(const FitResult& result) {
         return head;
     }
     const std::string probability = probability_of_best(result);
-    head.sentences.push_back("Best explanation of the " + std::to_string(result.mechanisms.size()) + " compared" +
-                             (probability.empty() ? "" : ", with a probability of " + probability) + ": " +
-                             title_of(best) + ".");
-    if (const std::string dependence = dependence_of_ranking(result); !dependence.empty()) {
-        head.sentences.push_back(dependence);
+    const std::string count = std::to_string(result.mechanisms.size());
+    const std::string with_probability = probability.empty() ? "" : ", with a probability of " + probability;
+    // What is first by its priors alone is not called the best explanation in one sentence and doubted in the next.
+    if (const std::string others = first_under_other_priors(result); !others.empty()) {
+        head.sentences.push_back("Which of the " + count + " compared explains best depends on what was put in: " +
+                                 best.name + " as given" + with_probability + ", " + others + ".");
+    } else {
+        head.sentences.push_back("Best explanation of the " + count + " compared" + with_probability + ": " +
+                                 title_of(best) + ".");
+        if (const std::string dependence = dependence_of_ranking(result); !dependence.empty()) {
+            head.sentences.push_back(dependence);
+        }
     }
     const std::string values = values_in_words(best, 2);
     head.sentences.push_back(determined_in_words(best) +

@@ -40,6 +40,10 @@ std::string probability_of_best(const FitResult& result);
 // or nothing was changed.
 std::string dependence_of_ranking(const FitResult& result);
 
+// The mechanisms that other priors or another model error put first, and which do so: "critical_sliding with flat
+// priors"; empty if the one that is first as given stays first, or nothing was changed.
+std::string first_under_other_priors(const FitResult& result);
+
 // Comparison of the evidences of all mechanisms: table and figures for the report, evidence.csv. Nothing if no
 // posterior was asked for.
 void append_evidence(const FitResult& result, const ResultFolder& folder, Report& report);

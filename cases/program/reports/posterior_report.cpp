@@ -91,12 +91,19 @@ Table evidence_table_of(const Weighed& all) {
     return table;
 }
 
-// Whether the order of the mechanisms is the same under all variants.
-std::string dependence_in_words(const Weighed& all) {
+// Whether other priors and another model error were tried, under which several mechanisms can be ordered.
+bool has_variants(const Weighed& all) {
+    return all.compared() && all.fits.front()->posterior->evidences.size() > 1;
+}
+
+const MechanismFit& first_as_given(const Weighed& all) {
+    const auto first = std::ranges::max_element(all.with_field_evidence, {}, &MechanismWeight::probability);
+    return *all.fits[static_cast<std::size_t>(first - all.with_field_evidence.begin())];
+}
+
+// The mechanisms that are first under some variant, though not as given: "critical_sliding with flat priors".
+std::string others_first_in_words(const Weighed& all) {
     const auto& variants = all.fits.front()->posterior->evidences;
-    if (variants.size() < 2 || all.fits.size() < 2) {
-        return {};
-    }
     const auto first_of = [&](std::size_t variant) {
         const auto weights = weights_of(all.fits, true, variant);
         return all.fits[static_cast<std::size_t>(std::ranges::max_element(weights, {}, &MechanismWeight::probability) -
@@ -114,13 +121,22 @@ std::string dependence_in_words(const Weighed& all) {
             others.push_back(other->name + " with " + list_in_words(where));
         }
     }
-    const std::string best = first_of(0)->name;
+    return list_in_words(others);
+}
+
+// Whether the order of the mechanisms is the same under all variants.
+std::string dependence_in_words(const Weighed& all) {
+    if (!has_variants(all)) {
+        return {};
+    }
+    const std::string best = first_as_given(all).name;
+    const std::string others = others_first_in_words(all);
     return others.empty()
                ? best +
                      " stays first when priors are halved, doubled or flat, when their means are one standard "
                      "deviation lower or higher, and when the model error of the factor of safety is halved or "
                      "doubled, as far as the case has them."
-               : "Which is first depends on what was put in: " + best + " as given, " + list_in_words(others) + ".";
+               : "Which is first depends on what was put in: " + best + " as given, " + others + ".";
 }
 
 Table dependence_table(const Weighed& all) {
@@ -239,6 +255,11 @@ std::string probability_of_best(const FitResult& result) {
 std::string dependence_of_ranking(const FitResult& result) {
     const Weighed all = weighed(result);
     return all.fits.empty() ? std::string() : dependence_in_words(all);
+}
+
+std::string first_under_other_priors(const FitResult& result) {
+    const Weighed all = weighed(result);
+    return has_variants(all) ? others_first_in_words(all) : std::string();
 }
 
 void append_evidence(const FitResult& result, const ResultFolder& folder, Report& report) {

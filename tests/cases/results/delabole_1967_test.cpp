@@ -168,7 +168,6 @@ TEST(Delabole1967, WhichMechanismIsFirstHangsOnThePriors) {
     }
 }
 
-// Two accounts of the same uncertainty: the interval of the profile likelihood and that of the draws.
 // Of 2.4.2. Half of it is for the slope in motion to say.
 TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
     const std::vector<ConclusionFinding> findings = judge_conclusions(problem_of_1967(), result_of_1967());
@@ -196,6 +195,7 @@ TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
     EXPECT_EQ(water[2].verdict, ConclusionVerdict::not_tested);
 }
 
+// Two accounts of the same uncertainty: the interval of the profile likelihood and that of the draws.
 TEST(Delabole1967, PosteriorAgreesWithTheProfileLikelihood) {
     for (const MechanismFit& fit : result_of_1967().mechanisms) {
         if (fit.name == "stepped_toppling") {
