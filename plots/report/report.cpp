@@ -164,7 +164,9 @@ class Page {
         // tabindex lets readers without a touch screen scroll a wide table with the arrow keys.
         constexpr std::size_t many = 8;  // number of columns above which print needs smaller letters
         html_ += "<div class=\"table\" tabindex=\"0\">\n";
-        html_ += columns.size() > many ? "<table class=\"wide\">\n" : "<table>\n";
+        html_ += columns.size() > many      ? "<table class=\"wide\">\n"
+                 : is_described(table, columns) ? "<table class=\"described\">\n"
+                                                : "<table>\n";
         if (!table.caption.empty()) {
             html_ += element("caption", table.caption);
         }
@@ -259,6 +261,12 @@ class Page {
             }
         }
         return columns;
+    }
+
+    // Whether the columns are names, numbers and what these mean, which a phone shows below them.
+    static bool is_described(const Table& table, const std::vector<std::size_t>& columns) {
+        return columns.size() == 3 && table.columns.size() == 3 && !table.columns[0].number &&
+               table.columns[1].number && !table.columns[2].number;
     }
 
     // A number and its unit stay on one line; longer texts may be broken.

@@ -40,6 +40,14 @@ expect_refused "a table cut off on a phone" "table 1 is cut off at" \
     "$drawing<div style='overflow: hidden'><table><tr><td style='min-width: 500px'>wide</td></tr></table></div>"
 expect_refused "a table cut off on paper" "problems found (a4)" \
     "$drawing<div style='overflow: auto'><table><tr><td style='min-width: 900px'>wide</td></tr></table></div>"
+expect_refused "a table that scrolls on a desk" "table 1 scrolls at" \
+    "$drawing<div style='overflow: auto'><table><tr><td style='min-width: 1500px'>wide</td></tr></table></div>"
+expect_refused "a broken name on a phone" "a name of table 1 is broken" "$drawing<style>
+    @media (max-width: 400px) { td { width: 3rem; } }</style><table class='described'><tr><td>two words</td></tr></table>"
+expect_refused "a broken number on paper" "a number of table 1 is broken" "$drawing<style>
+    @media print { td { width: 1rem; } }</style><table><tr><td class='number'>1 km</td></tr></table>"
+expect_refused "a caption on two pages" "not on one page (a4): Twopages" \
+    "$drawing<table><caption>Two<p style='break-before: page'>pages</p></caption><tr><td>1</td></tr></table>"
 expect_refused "a heading alone at the foot of a page" "alone at the foot of a page (a4): page 1: Alone" \
     "$drawing<h2>Alone</h2><p style='break-before: page'>text</p>"
 expect_refused "ids used twice" "ids are not unique" "$drawing<p id='a'></p><p id='a'></p>"
