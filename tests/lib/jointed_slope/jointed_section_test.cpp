@@ -248,6 +248,27 @@ TEST(JointedSection, SliversGoToTheNeighbourAndAreCounted) {
     EXPECT_EQ(cut_in_one_rock(geometry).block.size(), 21U);
 }
 
+// A tip between the left side, a level joint and a steep one, both of which run on: with the rock below it would be a
+// block, and the level joint would be locked.
+TEST(JointedSection, SliversLockNoJointThatRunsOn) {
+    SlopeGeometry geometry = section(square(10), {cut("level", line({{-1, 5}, {11, 5}})),
+                                                  cut("steep", line({{-0.15, 5.6}, {1.2, 2.9}, {3, -0.7}}))});
+    const JointedSection kept = cut_in_one_rock(geometry);
+    EXPECT_EQ(kept.slivers_merged, 0U);
+    EXPECT_EQ(kept.slivers_kept, 1U);
+    EXPECT_EQ(kept.block.size(), 4U);
+    for (const SlopeBlock& block : kept.block) {
+        const Polygon<> outline = outline_of(kept, block);
+        const auto [lowest, highest] = std::ranges::minmax(outline, {}, [](const auto& corner) { return corner.y(); });
+        EXPECT_TRUE(lowest.y() > 5 - 1e-9 || highest.y() < 5 + 1e-9) << "no block reaches across the level joint";
+    }
+    geometry.sliver_share = 0.02;
+    const JointedSection merged = cut_in_one_rock(geometry);
+    EXPECT_EQ(merged.slivers_merged, 1U);
+    EXPECT_EQ(merged.slivers_locking, 1U);
+    EXPECT_EQ(merged.block.size(), 3U);
+}
+
 TEST(JointedSection, ScatterKeepsWithinItsBounds) {
     JointSetCut set = joint_set(degrees(90), 1, 0.5);
     set.scatter = 0.3;

@@ -172,6 +172,32 @@ TEST(Toe, HasTheFactorOfSafetyOfItsPlane) {
     }
 }
 
+// Friction 20 deg and as much tensile strength as cohesion: limit equilibrium is c L / (W sin) + tan(friction) /
+// tan(dip), tension or not.
+TEST(Toe, TensileStrengthOfItsPlaneAddsNoFriction) {
+    const double dip = 35;
+    const double area = 12 * 12 * (1 / std::tan(degrees(dip)) - 1 / std::tan(degrees(60))) / 2;
+    const double by_friction = std::tan(degrees(20)) / std::tan(degrees(dip));
+    for (const double factor : {0.95, 1.05}) {
+        RelaxationStudy study = toe(plane_from(dip, 0), degrees(20), {{-15, 0}});
+        RelaxationJoint& joint = std::get<RelaxationSlope>(study.model.scene).joint[0].strength;
+        joint.cohesion = (factor - by_friction) * area * 2600 * gravity * std::pow(std::sin(degrees(dip)), 2) / 12;
+        joint.tensile_strength = *joint.cohesion;
+        const RelaxationOutcome outcome = run(study).result.outcome;
+        EXPECT_EQ(outcome == RelaxationOutcome::equilibrium, factor > 1) << word_of(outcome);
+    }
+}
+
+// Dropped blocks open the plane for a moment: its cohesion is lost, and friction alone does not hold.
+TEST(Toe, IsJudgedByTheStrengthThatItsPlaneHasLeft) {
+    RelaxationStudy study = toe(plane_from(35, 0), degrees(20), {{-15, 0}});
+    RelaxationJoint& joint = std::get<RelaxationSlope>(study.model.scene).joint[0].strength;
+    joint.cohesion = 40e3;
+    EXPECT_EQ(run(study).result.outcome, RelaxationOutcome::equilibrium);
+    study.settings->start = RelaxationStart::dropped;
+    EXPECT_NE(run(study).result.outcome, RelaxationOutcome::equilibrium);
+}
+
 // In the corner between its plane and a wall there is no way out for the tip.
 TEST(Toe, AgainstAWallIsHeldByItsCorner) {
     for (const double begin : {0.0, -8.0}) {
