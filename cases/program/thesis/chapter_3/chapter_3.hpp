@@ -5,6 +5,7 @@
 
 namespace delabole {
 
+Reproduction reproduce_base_friction_run(const ResultFolder& folder, Report& report);
 Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report);
 Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& report);
 Reproduction reproduce_tilting_runs(const ResultFolder& folder, Report& report);
