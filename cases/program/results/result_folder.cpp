@@ -285,7 +285,9 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
         file = name + "_" + std::to_string(number);
     }
     enter({"figures/" + file + ".gp", "figures/" + file + ".svg", "figures/" + file + ".png"});
-    const FigureFiles files = write_figure(in_shown_units(figure), path_ / "figures", file, gnuplot_runs);
+    Figure shown = in_shown_units(figure);
+    shown.title.insert(0, titles_begin_);
+    const FigureFiles files = write_figure(shown, path_ / "figures", file, gnuplot_runs);
     if (files.write_error) {
         throw *files.write_error;
     }

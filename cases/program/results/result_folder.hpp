@@ -131,6 +131,8 @@ class ResultFolder {
     // Throws OutputError also if a file of that name was already written for this result: names of sweeps and
     // mechanisms become file names, and no file may be lost.
     void write(const std::string& name, std::string_view text) const;
+    // What figures drawn from now on have before their titles, "Table 3.2: ".
+    void name_figures(std::string begin) const { titles_begin_ = std::move(begin); }
     // If a figure cannot be drawn, the report says so, and a warning appears on standard error even with --quiet,
     // because the report is then incomplete. After an interrupt figures are drawn only for a moment, and only the
     // report tells which are missing.
@@ -148,6 +150,7 @@ class ResultFolder {
     OnInterrupt on_interrupt_;
     std::function<void(double, const std::string&)> on_progress_ = {};
     FigureTaker taker_ = {};
+    mutable std::string titles_begin_;
     mutable std::set<std::string> written_ = {};
 };
 

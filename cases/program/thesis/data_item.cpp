@@ -26,7 +26,8 @@ PrintedRow printed_row_of(const Comparison& comparison) {
     return {comparison.what, comparison.expected, comparison.computed, comparison.difference, remark};
 }
 
-void reproduce_data(const CaseFile& file, const ResultFolder& folder, Report& report, Reproduction& result) {
+void reproduce_data(const CaseFile& file, const std::string& place, const ResultFolder& folder, Report& report,
+                    Reproduction& result) {
     report.blocks.emplace_back(Heading{file.title});
     if (!file.description.empty()) {
         report.blocks.emplace_back(Paragraph{file.description});
@@ -38,7 +39,9 @@ void reproduce_data(const CaseFile& file, const ResultFolder& folder, Report& re
         const AnalysisWork work{.watch = [](double, const std::string&, bool) { return !interrupt_flag(); }};
         const CaseAnswer answer = analyse_case(file.model, work);
         stop_if_interrupted();
+        folder.name_figures(place + ": ");
         append_case_figures(file.model, answer, folder, drawn);
+        folder.name_figures("");
     }
     std::ranges::move(document_sweeps(file, {.threads = folder.threads()}, folder, drawn),
                       std::back_inserter(comparisons));
@@ -53,11 +56,11 @@ void reproduce_data(const CaseFile& file, const ResultFolder& folder, Report& re
 
 }  // namespace
 
-Reproduction reproduce_cases(const std::string& folder, const std::vector<std::string>& cases,
+Reproduction reproduce_cases(const std::string& folder, const std::vector<std::string>& cases, const std::string& place,
                              const ResultFolder& results, Report& report) {
     Reproduction result;
     for (const std::string& one : cases) {
-        reproduce_data(built_in_case(folder, one), results, report, result);
+        reproduce_data(built_in_case(folder, one), place, results, report, result);
         result.json["cases"].push_back(folder + "/" + one + ".toml");
     }
     return result;
@@ -65,8 +68,8 @@ Reproduction reproduce_cases(const std::string& folder, const std::vector<std::s
 
 ReproductionItem data_item(const std::string& name, const std::string& place, const std::string& meaning,
                            const std::string& folder, const std::vector<std::string>& cases, ReproductionCost cost) {
-    const auto reproduce = [folder, cases](const ResultFolder& results, Report& report) {
-        return reproduce_cases(folder, cases, results, report);
+    const auto reproduce = [folder, cases, place](const ResultFolder& results, Report& report) {
+        return reproduce_cases(folder, cases, place, results, report);
     };
     return {name, place, meaning, reproduce, cost};
 }

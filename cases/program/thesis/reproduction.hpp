@@ -112,8 +112,8 @@ std::string in_words(const RowCounts& counts);
 
 // What is printed of cases, by their [[expect]] and [[sweep]], between their texts and their figures. Without a sweep
 // these are the figures of `delabole run`. `cases` are built-in ones of a folder (thesis_tables.hpp), in the order of
-// the report.
-Reproduction reproduce_cases(const std::string& folder, const std::vector<std::string>& cases,
+// the report. Figures of `delabole run` do not know what they stand for: their titles begin with `place`, "Fig 4.1".
+Reproduction reproduce_cases(const std::string& folder, const std::vector<std::string>& cases, const std::string& place,
                              const ResultFolder& results, Report& report);
 
 // An item that is data alone.

@@ -66,6 +66,15 @@ TEST_F(Chapter3, TablesMeetTheText) {
     }
 }
 
+TEST_F(Chapter3, CrackPathOfARunBesideThePrintedOne) {
+    const Reproduction result = reproduce("base_friction");
+    // Of a chaotic run: half an inch more or less in one column turns the path by 4 deg.
+    EXPECT_NEAR(result.json["crack_path_deg"].get<double>(), 11, 5);
+    EXPECT_EQ(result.rows.back().remark.verdict, RowVerdict::not_met);
+    EXPECT_TRUE(holds(path(), "end", "Table 3.2, 15(L): After"));
+    EXPECT_TRUE(holds(path(), "left_standing", "its foot and top"));
+}
+
 TEST_F(Chapter3, OneModelHasASawToothJoint) {
     reproduce("plates3");
     EXPECT_TRUE(holds(path(), "plate_3_XIII", "saw-tooth joint"));

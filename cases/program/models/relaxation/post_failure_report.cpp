@@ -151,8 +151,14 @@ Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failur
     };
     figure.series.emplace_back(
         Line{.points = drawn(failure.left_standing), .legend = "ground left standing", .colour = Colour::black});
-    figure.series.emplace_back(Points{.points = drawn(failure.surface),
-                                      .legend = "its foot, knee and top",
+    // Where the ground nowhere lies below the line from foot to top, the knee is half way, on no ground.
+    std::vector<Point> ends = failure.surface;
+    const bool has_knee = ends.size() != 3 || (ends[1] - (ends[0] + ends[2]) / 2).norm() > 0;
+    if (!has_knee) {
+        ends.erase(ends.begin() + 1);
+    }
+    figure.series.emplace_back(Points{.points = drawn(ends),
+                                      .legend = has_knee ? "its foot, knee and top" : "its foot and top",
                                       .colour = Colour::blue,
                                       .marker = Marker::filled_square});
     std::vector<Point> cracks;

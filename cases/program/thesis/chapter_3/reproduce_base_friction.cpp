@@ -1,8 +1,11 @@
 // Tables 3.1 to 3.3 and Fig 3.2 of the thesis: base friction tests of slopes with toppling columns.
+#include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/chapter_3/chapter_3.hpp"
 #include "cases/program/thesis/imperial.hpp"
 #include "cases/program/thesis/physical_models.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
+#include "dynamic_relaxation/study/cracks.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/figure.hpp"
 #include "plots/drawing/text.hpp"
@@ -11,6 +14,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <set>
+#include <variant>
 
 namespace delabole {
 
@@ -229,7 +235,96 @@ void add_marks(Figure& figure) {
     }
 }
 
+// A point for each column, by the number of the column; joints dip into the slope.
+using PathOfColumns = std::map<int, Point>;
+
+// Least squares.
+double inclination_of(const PathOfColumns& path) {
+    Point mean(0, 0);
+    for (const auto& [column, point] : path) {
+        mean += point / static_cast<double>(path.size());
+    }
+    double along = 0;
+    double up = 0;
+    for (const auto& [column, point] : path) {
+        along += (point.x() - mean.x()) * (point.x() - mean.x());
+        up += (point.x() - mean.x()) * (point.y() - mean.y());
+    }
+    return std::atan2(up, along);
+}
+
+// The path under what moves: of each column the lowest block that has failed. And above which no rock is broken: of
+// each column its highest broken face.
+struct CrackPaths {
+    PathOfColumns lowest;
+    PathOfColumns highest;
+};
+
+CrackPaths crack_paths(const RelaxationRun& made, double joint_dip, double spacing) {
+    const Bodies bodies = make_bodies(made.scene);
+    CrackPaths paths;
+    for (const BrokenBond& bond : broken_bonds(made.scene, bodies, *made.end)) {
+        const Point middle = (bond.from + bond.to) / 2;
+        const int column = static_cast<int>(
+            std::floor((middle.x() * std::sin(joint_dip) + middle.y() * std::cos(joint_dip)) / spacing));
+        const auto highest = paths.highest.emplace(column, middle).first;
+        highest->second = middle.y() > highest->second.y() ? middle : highest->second;
+    }
+    std::set<int> stays;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] != 0) {
+            continue;
+        }
+        const Point centre = bodies.centroid[block];
+        const int column = static_cast<int>(
+            std::floor((centre.x() * std::sin(joint_dip) + centre.y() * std::cos(joint_dip)) / spacing));
+        if (!has_failed(made.result.block[block].movement)) {
+            stays.insert(column);
+            continue;
+        }
+        const auto lowest = paths.lowest.emplace(column, centre).first;
+        lowest->second = centre.y() < lowest->second.y() ? centre : lowest->second;
+    }
+    // Nothing stays below what moves of a sliver behind the last column.
+    std::erase_if(paths.lowest, [&](const auto& column) { return !stays.contains(column.first); });
+    std::erase_if(paths.highest, [&](const auto& column) { return !stays.contains(column.first); });
+    return paths;
+}
+
 }  // namespace
+
+Reproduction reproduce_base_friction_run(const ResultFolder& folder, Report& report) {
+    constexpr double printed = degrees(38);  // Table 3.2, 15(L)
+    constexpr double tolerance = degrees(5);
+    Reproduction result = reproduce_cases("relaxation", {"base_friction_slope"}, "Table 3.2, 15(L)", folder, report);
+    const RelaxationRun made = run(std::get<RelaxationStudy>(built_in_case("relaxation", "base_friction_slope").model));
+    if (!made.end) {
+        return result;
+    }
+    const CrackPaths paths = crack_paths(made, degrees(80), inch);
+    const double computed = inclination_of(paths.lowest);
+    const auto in_words = [](double angle) { return human_number(angle / degrees(1), 3) + " deg"; };
+    result.rows.push_back({"15(L): critical crack path, under what topples", in_words(printed), in_words(computed),
+                           in_words(computed - printed),
+                           statement(std::abs(computed - printed) < tolerance) + ": rock is broken up to a path of " +
+                               in_words(inclination_of(paths.highest)) + "; no reason found"});
+    result.json["crack_path_deg"] = computed / degrees(1);
+    Figure figure = mechanism_figure(made, "Table 3.2, 15(L): the run and the printed crack path");
+    std::erase_if(figure.series, [](const Series& series) { return std::holds_alternative<Arrows>(series); });
+    constexpr double rise = 12 * inch;
+    figure.series.emplace_back(Line{.points = {Point(0, 0), Point(rise / 2 / std::tan(printed), rise / 2)},
+                                    .legend = "printed, 38° from the toe",
+                                    .colour = Colour::blue,
+                                    .width = 4});
+    Line under{.legend = "run, under what topples", .colour = Colour::black, .width = 4};
+    for (const auto& [column, point] : paths.lowest) {
+        under.points.push_back(point);
+    }
+    figure.series.emplace_back(under);
+    report.blocks.emplace_back(
+        folder.draw(figure, "table_3_2_15_L", "Broken rock of the run, the path under it and the printed one."));
+    return result;
+}
 
 Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
     const States states = base_friction_states();

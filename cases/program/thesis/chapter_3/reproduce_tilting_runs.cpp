@@ -351,7 +351,7 @@ void point_at_crack(const RelaxationRun& made, const MotionFrame& frame, std::si
                      std::sin(frame.tilt) * x + std::cos(frame.tilt) * y);
     };
     const double middle = (face + next.x()) / 2;
-    const Arrow arrow{.from = turned(middle + 0.03, next.y() + 0.05), .to = turned(middle, next.y())};
+    const Arrow arrow{.from = turned(middle + 0.045, next.y() + 0.025), .to = turned(middle, next.y())};
     figure.arrows.push_back(arrow);
     figure.labels.push_back(
         {.at = arrow.from, .text = "crack, " + human_number(1e3 * (next.x() - face), 2) + " mm", .raise = 0.6});
