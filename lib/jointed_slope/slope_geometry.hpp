@@ -121,6 +121,7 @@ struct SlopeCut {
 
 struct SlopeGeometry {
     std::optional<std::string> outline_file;
+    std::optional<std::string> outline_layer;
     std::optional<std::string> intact_joint;
     std::optional<double> snap_distance;
     std::optional<double> sliver_share;
@@ -130,6 +131,8 @@ struct SlopeGeometry {
         using G = SlopeGeometry;
         return std::tuple{
             section("outline_file", &G::outline_file, "DXF or CSV file with the outline, beside the case; or outline"),
+            section("outline_layer", &G::outline_layer,
+                    "layer of outline_file, a DXF, that has the outline; absent: there is nothing else in the drawing"),
             section("intact_joint", &G::intact_joint,
                     "name of the properties where rock is divided only because blocks are convex"),
             number("snap_distance", &G::snap_distance, Dimension::length, more_than(0),

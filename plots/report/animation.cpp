@@ -150,7 +150,9 @@ class Drawing {
     std::string moment() const {
         const std::size_t frames = animation_.frames.size();
         const AnimationFrame& last = animation_.frames.back();
-        return "time " + human_number(last.time, 4) + " s, tilt " + human_number(last.tilt / degree, 4) + "°, frame " +
+        const bool tilts = std::ranges::any_of(animation_.frames, [](const auto& frame) { return frame.tilt != 0; });
+        return "time " + human_number(last.time, 4) + " s, " +
+               (tilts ? "tilt " + human_number(last.tilt / degree, 4) + "°, " : std::string()) + "frame " +
                std::to_string(frames) + " of " + std::to_string(frames);
     }
 

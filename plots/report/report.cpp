@@ -164,7 +164,7 @@ class Page {
         // tabindex lets readers without a touch screen scroll a wide table with the arrow keys.
         constexpr std::size_t many = 8;  // number of columns above which print needs smaller letters
         html_ += "<div class=\"table\" tabindex=\"0\">\n";
-        html_ += columns.size() > many      ? "<table class=\"wide\">\n"
+        html_ += columns.size() > many          ? "<table class=\"wide\">\n"
                  : is_described(table, columns) ? "<table class=\"described\">\n"
                                                 : "<table>\n";
         if (!table.caption.empty()) {
@@ -200,7 +200,7 @@ class Page {
             const std::string content{std::istreambuf_iterator<char>(file), {}};
             svg = inline_svg(content, prefix, figure.caption);
         }
-        html_ += "<figure>\n";
+        html_ += figure.wide ? "<figure class=\"wide\">\n" : "<figure>\n";
         if (!svg.empty()) {
             html_ += svg + "\n";
         } else {

@@ -62,6 +62,7 @@ struct Table {
 struct FigureInReport {
     FigureFiles files = {};
     std::string caption = {};
+    bool wide = false;  // of many panels, which need the width of the page
 };
 
 // Small figures of one kind, side by side.

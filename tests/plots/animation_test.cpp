@@ -141,6 +141,11 @@ TEST(Animation, TheDrawingIsTheLastFrame) {
         EXPECT_NEAR(turn, -pose[2] * data["angle"].get<double>(), 6e-4);
     }
     EXPECT_NE(html.find("time 2.95 s, tilt 21.8°, frame 60 of 60"), std::string::npos);
+    BlockAnimation level = animation;
+    for (AnimationFrame& frame : level.frames) {
+        frame.tilt = 0;
+    }
+    EXPECT_NE(animation_html(level).find("time 2.95 s, frame 60 of 60"), std::string::npos) << "where nothing tilts";
     EXPECT_NE(html.find("Outcome: collapse"), std::string::npos);
     EXPECT_NE(html.find("class=\"controls\" hidden>"), std::string::npos);
     EXPECT_EQ(count(html, "<path d="), animation.blocks.size());

@@ -72,6 +72,9 @@ delabole init block_row --out row.toml
 delabole run row.toml --set support='[{ rows = 2 }]'
 expect_status 3
 expect_error 'support: is not a key of a case of this model; it belongs to plane_failure and stepped_base'
+{ "$program" init jointed_slope; printf '\n[controls]\nwatch = "4 s"\n'; } >controls.toml
+delabole check controls.toml
+expect_error 'controls: is not a key of a case of this model (did you mean settings.watch?)'
 
 title "run: feet and kips in the report, metres in the files"
 for name in good support; do
@@ -122,6 +125,10 @@ expect_status 0
 expect_output '10 points in grid.csv'
 expect_figures grid 1
 expect_only_numbers grid
+expect "the answer comes first" contains grid/report.html '<p>Factor of safety '
+expect "the figure says what it shows" contains grid/figures/grid.gp 'Factor of safety against water depth and cohesion'
+delabole grid good.toml --vary "strength.friction_angle=20 deg:60 deg:9" --out curve
+expect "where it is 1" grep -qE 'Factor of safety [0-9.]+ to [0-9.]+; 1 at strength.friction_angle = [0-9.]+ deg\.' curve/report.html
 expect "all points" test "$(wc -l <grid/grid.csv)" == 11
 expect "inputs and outputs with their units" contains grid/grid.csv 'water.water_depth_m,strength.cohesion_kPa,factor_of_safety'
 delabole grid good.toml --vary "water.water_depth=0 m:4 m:3" --output weight --output outcome --json
@@ -164,6 +171,11 @@ expect "the kind of water was changed" refuse cmp -s good.toml drained.toml
 delabole compare good.toml drained.toml
 expect_status 0
 expect_output 'water.kind'
+delabole compare good.toml other.toml --out compared
+expect_status 0
+expect_figures compared 2
+expect "both answers and what differs" grep -qE '<p>They differ in strength.cohesion 25 kPa against 30 kPa' compared/report.html
+expect "as a table" contains compared/compare.csv 'strength.cohesion,25 kPa,30 kPa'
 delabole compare good.toml good.toml --json
 expect_status 0
 expect "no input differs" grep -q '"inputs": \[\]' "$scratch/out"
@@ -341,6 +353,7 @@ for model in plane_failure stepped_base single_block block_row tilted_column kin
     expect_status 0
     expect_complete_results "result_$model"
     expect_only_numbers "result_$model"
+    expect_zeros_are_zeros "result_$model"
 done
 for study in fit sensitivity; do
     delabole init "$study" --out "$study.toml"

@@ -307,6 +307,16 @@ expect_only_numbers() {
     done < <(find "$1" -name '*.json' -o -name '*.csv' -o -name '*.toml' -o -name '*.html' -o -name '*.svg')
 }
 
+# No table holds rounding in place of a zero.
+expect_zeros_are_zeros() {
+    local file
+    for file in "$1"/*.csv; do
+        checks=$((checks + 1))
+        awk -F, '{ for (i = 1; i <= NF; i++) if ($i + 0 != 0 && $i < 1e-11 && $i > -1e-11 && !($1 ~ /probability/)) exit 1 }' \
+            "$file" || fail "$file: rounding in place of a zero"
+    done
+}
+
 expect_figures() {
     local folder=$1 script figures=0
     for script in "$folder"/figures/*.gp; do
@@ -318,7 +328,7 @@ expect_figures() {
     local animations
     animations=$(grep -c '<div class="animation"' "$folder/report.html" || true)
     expect "figures in the report" \
-        test "$(grep -c '<figure>' "$folder/report.html")" == "$((figures + animations))"
+        test "$(grep -c '<figure[ >]' "$folder/report.html")" == "$((figures + animations))"
     expect "at least $2 figures" test "$figures" -ge "$2"
 }
 

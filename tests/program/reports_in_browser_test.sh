@@ -16,6 +16,15 @@ delabole run good.toml --out run
 expect_status 0
 in_browser run
 
+title "grid and compare"
+delabole grid good.toml --vary "water.water_depth=0 m:4 m:9" --out grid
+expect_status 0
+in_browser grid
+sed 's/^cohesion = .*/cohesion = "30 kPa"/' good.toml >other.toml
+delabole compare good.toml other.toml --out compare
+expect_status 0
+in_browser compare
+
 title "the page of a case with long words and markup in its texts"
 delabole run good.toml --out markup --set "title=<script>console.log('x')</script> & \"quotes\"" \
     --set "description=$(printf 'Unbroken%.0s' {1..60}) <img src=x onerror=alert(1)>"

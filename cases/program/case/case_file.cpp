@@ -72,6 +72,25 @@ std::string models_that_have(const std::string& key) {
     return names.empty() ? "" : "; it belongs to " + list_in_words(names);
 }
 
+// " (did you mean settings.watch?)" of an unknown section with a key that another section of the model has.
+std::string section_that_has_key_of(const Node& unknown, const Section& root, const CaseModel& model) {
+    for (const std::string& name : root.allowed()) {
+        Node tree;
+        tree.entries.push_back({name, unknown});
+        Reading ignored{std::string()};
+        Section section(ignored, tree, "");
+        CaseModel read = model;
+        read_model(section, read);
+        for (const auto& [key, value] : unknown.entries) {
+            const std::string path = name + "." + key;
+            if (ignored.knows(path)) {
+                return " (did you mean " + path + "?)";
+            }
+        }
+    }
+    return "";
+}
+
 // The entries of a case that describe its model and how it is run, without studies and titles.
 Node model_part(const Node& tree) {
     constexpr std::array others{"title", "description", "sources",     "expect",        "sweep",
@@ -204,7 +223,10 @@ CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Settin
     for_table(root, "support_design",
               [&](Section& section) { result.support_design = read_support_design(section, result.model, names); });
     for_table(root, "report", [&](Section& section) { read_fields(section, result.report.emplace()); });
-    root.finish(models_that_have);
+    root.finish([&](const std::string& key) {
+        const std::string hint = models_that_have(key);
+        return hint.empty() && !reading.full() ? section_that_has_key_of(*tree.find(key), root, result.model) : hint;
+    });
     check_sources(reading, result.sources);
     reading.finish();
     result.places = reading.places();

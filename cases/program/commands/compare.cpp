@@ -6,14 +6,18 @@
 #include "cases/program/reader/section.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
+#include "cases/program/results/model_reports.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "fitting/work/words.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -36,7 +40,7 @@ std::string shown(const std::optional<Cell>& value, Dimension dimension) {
         return "-";
     }
     const auto* number = std::get_if<double>(&*value);
-    return number == nullptr ? std::get<std::string>(*value) : in_six_digits(*number, dimension);
+    return number == nullptr ? std::get<std::string>(*value) : in_table_digits(*number, dimension);
 }
 
 std::string change_of(const Compared& one) {
@@ -102,16 +106,39 @@ std::vector<CaseInput> inputs_of_case(const CaseFile& file) {
     return inputs;
 }
 
-Analysis analysis_of_case(const CaseFile& file, const Options& options) {
+// A case and what came of it.
+struct Analysed {
+    CaseFile file;
+    CaseAnswer answer;
+    Analysis analysis;
+};
+
+Analysed analysed(CaseFile file, const Options& options) {
     AnalysisWork work;
     work.watch = [](double, const std::string&, bool) { return !interrupt_flag(); };
     work.threads = static_cast<unsigned>(options.threads);
-    Analysis analysis = analyse_model(file.model, work);
+    CaseAnswer answer = analyse_case(file.model, work);
     stop_if_interrupted();
+    Analysis analysis = named_outputs(file.model, answer);
     if (!analysis.failure.empty()) {
         throw CaseError({impossible(file, analysis.failure)});
     }
-    return analysis;
+    return {std::move(file), std::move(answer), std::move(analysis)};
+}
+
+// The first figure of what `run` would report.
+void draw_picture(const Analysed& one, const std::string& name, const ResultFolder& folder, FigureRow& row) {
+    std::optional<Figure> picture;
+    const ResultFolder figures([&](const Figure& figure, const std::string&) {
+        if (!picture) {
+            picture = figure;
+        }
+    });
+    Report ignored;
+    append_case_figures(one.file.model, one.answer, figures, ignored);
+    if (picture) {
+        row.figures.push_back(folder.draw(*picture, name, stem_of(one.file) + "."));
+    }
 }
 
 // Adds rows for the pairs that differ, below a heading, and the same to the JSON.
@@ -133,19 +160,71 @@ void add(const std::string& word, const std::vector<Compared>& pairs, std::vecto
     rows.push_back({std::to_string(same) + " " + word + " are the same"});
 }
 
+// Both answers, what differs between the cases, their first figures side by side and the table of differences.
+void write_comparison(const std::vector<Analysed>& both, const std::vector<std::vector<std::string>>& rows, Json json,
+                      const Options& options, double seconds) {
+    const ResultFolder folder(options, "compare", OnInterrupt::stop);
+    HeadCard head;
+    for (const Analysed& one : both) {
+        head.sentences.push_back(stem_of(one.file) + ": " + head_card(one.file.model, one.answer).sentences.front());
+    }
+    constexpr std::size_t most_named = 3;
+    const std::size_t inputs = json["inputs"].size();
+    std::string differing;
+    for (std::size_t index = 0; index < std::min(inputs, most_named); ++index) {
+        const std::vector<std::string>& row = rows[index + 1];
+        differing += (index == 0 ? "" : "; ") + row[0] + " " + row[1] + " against " + row[2];
+    }
+    if (inputs > most_named) {
+        differing += "; and " + std::to_string(inputs - most_named) + " other inputs";
+    }
+    head.sentences.push_back(inputs == 0 ? "Their inputs are the same." : "They differ in " + differing + ".");
+    FigureRow pictures;
+    draw_picture(both.front(), "first", folder, pictures);
+    draw_picture(both.back(), "second", folder, pictures);
+    Table table{"", {}};
+    CsvTable csv(rows.front());
+    for (const std::string& title : rows.front()) {
+        table.columns.emplace_back(title, &title != &rows.front().front());
+    }
+    for (const std::vector<std::string>& row : std::span(rows).subspan(1)) {
+        table.rows.push_back(row);
+        std::vector<Cell> cells(row.begin(), row.end());
+        cells.resize(rows.front().size(), std::string());
+        csv.add_row(cells);
+    }
+    Report report{stem_of(both.front().file) + " and " + stem_of(both.back().file), "", {}};
+    report.blocks = {head, pictures, Heading{"What differs"}, table};
+    json["provenance"] = provenance(both.front().file, "compare", options, seconds);
+    folder.write("compare.csv", csv.text());
+    folder.write_report(report);
+    folder.write("result.json", json_text(json));
+}
+
 }  // namespace
 
 ExitCode compare_command(const Paths& cases, const Options& options) {
-    const CaseFile first = read_case(cases.front(), settings_of(options));
-    const CaseFile second = read_case(cases.back(), settings_of(options));
-    show_units_of(first);
-    const Analysis one = analysis_of_case(first, options);
-    const Analysis other = analysis_of_case(second, options);
-    std::vector<std::vector<std::string>> rows = {{"what differs", stem_of(first), stem_of(second), "difference"}};
-    Json json = {{"first", first.name}, {"second", second.name}};
+    const Stopwatch watch;
+    std::vector<CaseFile> files;
+    for (const std::filesystem::path& path : cases) {
+        files.push_back(read_case(path, settings_of(options)));
+    }
+    show_units_of(files.front());
+    std::vector<Analysed> both;
+    for (CaseFile& file : files) {
+        both.push_back(analysed(std::move(file), options));
+    }
+    const Analysed& one = both.front();
+    const Analysed& other = both.back();
+    std::vector<std::vector<std::string>> rows = {
+        {"what differs", stem_of(one.file), stem_of(other.file), "difference"}};
+    Json json = {{"first", one.file.name}, {"second", other.file.name}};
     const auto value_of = [](const auto& one_of_them) { return one_of_them.value; };
-    add("inputs", pair_up(inputs_of_case(first), inputs_of_case(second), value_of), rows, json);
-    add("outputs", pair_up(one.outputs, other.outputs, value_of), rows, json);
+    add("inputs", pair_up(inputs_of_case(one.file), inputs_of_case(other.file), value_of), rows, json);
+    add("outputs", pair_up(one.analysis.outputs, other.analysis.outputs, value_of), rows, json);
+    if (!options.out.empty()) {
+        write_comparison(both, rows, json, options, watch.seconds());
+    }
     if (options.json) {
         std::cout << json_text(json);
     } else if (!options.quiet) {

@@ -6,9 +6,12 @@
 #include "cases/program/sweeps/sweep_report.hpp"
 #include "cases/program/terminal/progress.hpp"
 #include "fitting/work/bare_number.hpp"
+#include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -98,6 +101,64 @@ CaseFile read_case_with_sweep(const std::filesystem::path& path, const Options& 
     }
 }
 
+// "Factor of safety against water depth"
+std::string grid_title(const CaseSweep& sweep) {
+    std::string outputs;
+    for (const SweepCurve& curve : sweep.curves) {
+        outputs += (outputs.empty() ? "" : ", ") + human_name(curve.output);
+    }
+    std::string inputs;
+    for (const SweptInput& swept : sweep.vary) {
+        inputs += (inputs.empty() ? "" : " and ") + human_name(swept.input.substr(swept.input.rfind('.') + 1));
+    }
+    return capitalised(outputs + " against " + inputs);
+}
+
+// Where a curve over one input passes a value, between its points.
+std::vector<double> crossings_of(const SweptCurve& curve, const std::vector<double>& inputs, double level) {
+    std::vector<double> crossings;
+    for (std::size_t place = 1; place < inputs.size(); ++place) {
+        const double from = curve.values[place - 1] - level;
+        const double to = curve.values[place] - level;
+        if (std::isfinite(from) && std::isfinite(to) && (from < 0) != (to < 0)) {
+            crossings.push_back(inputs[place - 1] + (inputs[place] - inputs[place - 1]) * from / (from - to));
+        }
+    }
+    return crossings;
+}
+
+// "Factor of safety 0.53 to 1.25; 1 at water.water_depth = 2.1 m."
+HeadCard grid_answer(const SweepRun& run) {
+    constexpr std::size_t most_sentences = 3;
+    HeadCard head;
+    for (const SweptCurve& curve : run.figures.front().curves) {
+        std::vector<double> found;
+        std::ranges::copy_if(curve.values, std::back_inserter(found),
+                             [](double value) { return std::isfinite(value); });
+        const std::string name = capitalised(human_name(curve.label));
+        if (head.sentences.size() == most_sentences || found.empty()) {
+            continue;
+        }
+        const auto [least, greatest] = std::ranges::minmax(found);
+        std::string answer = name + " " + value_in_words(least, curve.dimension) +
+                             (least < greatest ? " to " + value_in_words(greatest, curve.dimension) : "");
+        const SweptInput& first = run.sweep.vary.front();
+        if (curve.label == "factor_of_safety") {
+            head.tone = least >= 1 ? AnswerTone::good : greatest < 1 ? AnswerTone::bad : AnswerTone::open;
+            if (run.sweep.vary.size() == 1) {
+                for (const double at : crossings_of(curve, first.values, 1)) {
+                    answer += "; 1 at " + first.input + " = " + value_in_words(at, first.dimension);
+                }
+            }
+        }
+        head.sentences.push_back(answer + ".");
+    }
+    if (head.sentences.empty()) {
+        head.sentences.emplace_back("No point has an answer.");
+    }
+    return head;
+}
+
 }  // namespace
 
 ExitCode grid_command(const std::filesystem::path& path, const Options& options) {
@@ -105,7 +166,8 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
     CaseFile file = read_case_with_sweep(path, options);
     show_units_of(file);
     CaseSweep& sweep = file.sweeps.front();
-    sweep.title = file.title;
+    sweep.title = grid_title(sweep);
+    sweep.caption = "All points are in grid.csv.";
     const ResultFolder folder(options, stem_of(file) + "_grid", OnInterrupt::stop);
     const SweepRun run = [&] {
         Progress progress(options.quiet);
@@ -114,7 +176,12 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
                                        }});
     }();
     Report report{title_of(file, options), file.description, {}};
-    document_sweep(run, folder, report);
+    Report own;
+    document_sweep(run, folder, own);
+    HeadCard head = grid_answer(run);
+    take_picture(own.blocks, head);
+    report.blocks.emplace_back(head);
+    std::ranges::move(own.blocks, std::back_inserter(report.blocks));
     append_inputs(file, report);
     Json json;
     json["status"] = "ok";

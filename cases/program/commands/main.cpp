@@ -322,6 +322,10 @@ struct Program {
 
         CLI::App* compare = app.add_subcommand("compare", "Analyse two cases and list which inputs and outputs differ");
         compare->add_option("CASE", cases, "Two case files")->required()->expected(2);
+        compare
+            ->add_option("--out", options.out,
+                         "Folder for a report with the figures side by side and a table; by default nothing is written")
+            ->type_name("DIR");
         complete(compare, common | threads,
                  "compare cases/relaxation/two_blocks_3.toml cases/relaxation/two_blocks_5.toml",
                  delabole::compare_command, cases);

@@ -31,11 +31,11 @@ namespace {
 
 std::string shown(const NamedOutput& output) {
     const auto* number = std::get_if<double>(&output.value);
-    return number != nullptr ? in_six_digits(*number, output.dimension) : std::get<std::string>(output.value);
+    return number != nullptr ? in_table_digits(*number, output.dimension) : std::get<std::string>(output.value);
 }
 
 Table output_table(const Analysis& analysis) {
-    Table table{"Results", {"quantity", "value"_number, "meaning"}};
+    Table table{"", {"quantity", "value"_number, "meaning"}};
     for (const NamedOutput& output : analysis.outputs) {
         if (!output.detail) {
             table.rows.push_back({output.name, shown(output), output.meaning});

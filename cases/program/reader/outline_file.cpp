@@ -3,6 +3,7 @@
 #include "cases/program/reader/names.hpp"
 #include "cases/program/reader/ordinary_file.hpp"
 #include "fitting/work/bare_number.hpp"
+#include "fitting/work/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,6 +43,7 @@ std::string_view next_line(std::string_view& text) {
 struct Chain {
     std::vector<SectionPoint> point = {};
     bool closed = false;
+    std::string_view layer = {};
 };
 
 // A group code and its value, which a DXF file has on two lines.
@@ -79,7 +81,8 @@ class DxfReader {
   public:
     // Blanks after the last line are removed here, since checking them at every line would take lines times blanks
     // steps.
-    explicit DxfReader(std::string_view text) : text_(text.substr(0, text.find_last_not_of(blank) + 1)) {}
+    DxfReader(std::string_view text, const std::optional<std::string>& layer)
+        : text_(text.substr(0, text.find_last_not_of(blank) + 1)), wanted_(layer) {}
 
     OutlineFile read();
 
@@ -114,6 +117,13 @@ class DxfReader {
         return number.value_or(0);
     }
 
+    // What an entity is not allowed to be matters once its layer is known.
+    void complain_of_entity(std::string problem) {
+        if (entity_problem_.empty()) {
+            entity_problem_ = std::move(problem);
+        }
+    }
+
     void begin_entity();
     void take_group();
     void end_entity();
@@ -133,15 +143,27 @@ class DxfReader {
     std::string_view entity_ = {};
     bool in_polyline_ = false;  // between POLYLINE and SEQEND
     Chain chain_ = {};
+    std::string entity_problem_ = {};
+    const std::optional<std::string>& wanted_;  // layer
     std::vector<Chain> chains_ = {};
     double unit_ = 1;  // m
 };
 
 // A POLYLINE includes its VERTEX entities up to SEQEND; every other entity ends where the next one begins.
 void DxfReader::end_entity() {
-    if (!in_polyline_ && !chain_.point.empty()) {
-        chains_.push_back(std::exchange(chain_, {}));
+    if (in_polyline_) {
+        return;
     }
+    if (!wanted_ || chain_.layer == *wanted_) {
+        if (!entity_problem_.empty()) {
+            complain(std::move(entity_problem_));
+        }
+        if (!chain_.point.empty()) {
+            chains_.push_back(std::move(chain_));
+        }
+    }
+    chain_ = {};
+    entity_problem_ = {};
 }
 
 void DxfReader::begin_entity() {
@@ -160,14 +182,14 @@ void DxfReader::begin_entity() {
     }
     end_entity();
     if (std::find(curves.begin(), curves.end(), entity_) != curves.end()) {
-        complain("has a curve, " + std::string(entity_) + " at line " + std::to_string(line_) +
-                 ": an outline consists of straight parts; replace it by a polyline");
+        complain_of_entity("has a curve, " + std::string(entity_) + " at line " + std::to_string(line_) +
+                           ": an outline consists of straight parts; replace it by a polyline");
     } else if (entity_ == "POLYLINE") {
         in_polyline_ = true;
     } else if (entity_ != "LINE" && entity_ != "LWPOLYLINE" &&
                std::find(passed_over.begin(), passed_over.end(), entity_) == passed_over.end()) {
-        complain("has an entity that is no part of an outline, " + std::string(entity_.substr(0, 30)) + " at line " +
-                 std::to_string(line_));
+        complain_of_entity("has an entity that is no part of an outline, " + std::string(entity_.substr(0, 30)) +
+                           " at line " + std::to_string(line_));
     }
 }
 
@@ -196,9 +218,12 @@ void DxfReader::take_group() {
         } else if (group_.code == 20 && !chain_.point.empty()) {
             chain_.point.back().y = coordinate();
         } else if (group_.code == 42 && coordinate() != 0) {
-            complain("has a polyline with an arc in it, line " + std::to_string(line_) +
-                     ": an outline consists of straight parts; replace the arc by several");
+            complain_of_entity("has a polyline with an arc in it, line " + std::to_string(line_) +
+                               ": an outline consists of straight parts; replace the arc by several");
         }
+    }
+    if (group_.code == 8 && !vertex) {
+        chain_.layer = group_.value;
     }
     if ((light || entity_ == "POLYLINE") && group_.code == 70) {
         chain_.closed = (number_of<int>(group_.value).value_or(0) & 1) != 0;
@@ -310,6 +335,24 @@ std::vector<Chain> joined(std::vector<Chain> chains) {
     return result;
 }
 
+// "; they lie on the layers fault and ground: name that of the outline with scene.outline_layer", if there are several.
+std::string layers_in_words(const std::vector<Chain>& chains) {
+    constexpr std::size_t most_named = 8;
+    std::set<std::string> layers;
+    for (const Chain& chain : chains) {
+        layers.emplace(chain.layer.substr(0, 30));
+    }
+    if (layers.size() < 2) {
+        return {};
+    }
+    std::vector<std::string> named(layers.begin(), layers.end());
+    if (named.size() > most_named) {
+        named.resize(most_named);
+        named.emplace_back("others");
+    }
+    return "; they lie on the layers " + list_in_words(named) + ": name that of the outline with scene.outline_layer";
+}
+
 OutlineFile DxfReader::read() {
     bool ended = false;
     while (problem_.empty() && !ended && next()) {
@@ -349,7 +392,8 @@ OutlineFile DxfReader::read() {
     }
     std::erase_if(chains_, [](const Chain& chain) { return chain.point.size() < 2; });
     if (problem_.empty() && chains_.empty()) {
-        complain("has no LINE, LWPOLYLINE or POLYLINE that could be an outline");
+        complain("has no LINE, LWPOLYLINE or POLYLINE that could be an outline" +
+                 (wanted_ ? " on the layer " + *wanted_ : std::string()));
     }
     if (problem_.empty() && chains_.size() > most_corners) {
         complain("has more than " + std::to_string(most_corners) + " lines");
@@ -357,9 +401,10 @@ OutlineFile DxfReader::read() {
     if (!problem_.empty()) {
         return {{}, problem_};
     }
+    const std::string layers = layers_in_words(chains_);
     std::vector<Chain> outlines = joined(std::move(chains_));
     if (outlines.size() > 1) {
-        return {{}, "has " + std::to_string(outlines.size()) + " separate lines: an outline is one, closed"};
+        return {{}, "has " + std::to_string(outlines.size()) + " separate lines: an outline is one, closed" + layers};
     }
     if (!outlines.front().closed) {
         return {{}, "has a line that is not closed: its ends do not meet"};
@@ -391,8 +436,8 @@ OutlineFile checked(OutlineFile file) {
 
 }  // namespace
 
-OutlineFile outline_of_dxf(std::string_view text) {
-    return checked(DxfReader(text).read());
+OutlineFile outline_of_dxf(std::string_view text, const std::optional<std::string>& layer) {
+    return checked(DxfReader(text, layer).read());
 }
 
 OutlineFile outline_of_csv(std::string_view text) {
@@ -417,7 +462,7 @@ OutlineFile outline_of_csv(std::string_view text) {
     return checked(std::move(file));
 }
 
-OutlineFile read_outline_file(const std::filesystem::path& path) {
+OutlineFile read_outline_file(const std::filesystem::path& path, const std::optional<std::string>& layer) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](char letter) {
         return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 32) : letter;
@@ -425,11 +470,14 @@ OutlineFile read_outline_file(const std::filesystem::path& path) {
     if (ending != ".dxf" && ending != ".csv") {
         return {{}, "must end in .dxf or .csv"};
     }
+    if (ending == ".csv" && layer) {
+        return {{}, "is no drawing: scene.outline_layer is a layer of a DXF"};
+    }
     FileContent content = read_ordinary_file(path, "an outline", largest_bytes);
     if (!content.fault.empty()) {
         return {{}, std::move(content.fault)};
     }
-    return ending == ".dxf" ? outline_of_dxf(content.bytes) : outline_of_csv(content.bytes);
+    return ending == ".dxf" ? outline_of_dxf(content.bytes, layer) : outline_of_csv(content.bytes);
 }
 
 }  // namespace delabole

@@ -96,6 +96,7 @@ class Section {
     // Declares a key as known without reading it.
     void allow(std::string_view key);
     bool is_allowed(std::string_view key) const;
+    const std::vector<std::string>& allowed() const { return allowed_; }
     // The value of the key; nullptr if absent.
     const Node* take(std::string_view key);
     // The same, with a complaint "is required: <what>" if absent.

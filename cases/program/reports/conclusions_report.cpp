@@ -88,7 +88,7 @@ StudyDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
     report.blocks.emplace_back(Heading{"Conclusions held against the fit"});
     Table table{"What was concluded", {"conclusion", "statement", "by this fit", "source", "note"}};
     Table tests{
-        "How each was tested: the median over draws of the posterior, with the range of 68 % of them (of all "
+        "The median over draws of the posterior, with the range of 68 % of them (of all "
         "where they are fewer than twenty)",
         {"conclusion", "claim", "asked", "found", "claimed", "holds in", "verdict"}};
     CsvTable csv({"conclusion", "claim", "asked", "value", "limit", "relation", "unit", "draws", "holding", "verdict"});
@@ -121,7 +121,7 @@ StudyDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
     folder.write("conclusions.csv", csv.text());
     report.blocks.emplace_back(std::move(table));
     if (!tests.rows.empty()) {
-        report.blocks.emplace_back(std::move(tests));
+        report.blocks.emplace_back(Folded{"How each was tested", {std::move(tests)}});
     }
     documents.screen = '\n' + aligned_columns(screen);
     return documents;

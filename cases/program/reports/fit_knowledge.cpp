@@ -35,11 +35,11 @@ Table direction_table(const Identifiability& identifiability) {
         table.columns.emplace_back(name, true);
     }
     for (std::size_t column = 0; column < identifiability.singular_values.size(); ++column) {
-        const double value = identifiability.singular_values[column];
-        std::vector<std::string> cells = {number_in_words(value < 1e-6 ? 0 : value)};
+        const auto rounded = [](double value) { return number_in_words(std::abs(value) < 1e-6 ? 0 : value); };
+        std::vector<std::string> cells = {rounded(identifiability.singular_values[column])};
         for (std::size_t row = 0; row < identifiability.parameters.size(); ++row) {
-            cells.push_back(number_in_words(
-                identifiability.directions(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column))));
+            cells.push_back(
+                rounded(identifiability.directions(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column))));
         }
         table.rows.push_back(std::move(cells));
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace delabole {
 
@@ -357,9 +358,11 @@ void append_posterior(const MechanismFit& fit, const ResultFolder& folder, Repor
     report.blocks.emplace_back(posterior_table(fit));
     report.blocks.emplace_back(Paragraph{sampling_in_words(posterior)});
     if (const auto figure = posterior_corner_figure(fit)) {
-        report.blocks.emplace_back(folder.draw(*figure, fit.name + "_posterior",
-                                               "Posterior of each parameter over its prior, and of each pair. Vertical "
-                                               "lines and the diamond: the best point."));
+        FigureInReport corner = folder.draw(*figure, fit.name + "_posterior",
+                                            "Posterior of each parameter over its prior, and of each pair. Vertical "
+                                            "lines and the diamond: the best point.");
+        corner.wide = posterior.parameters.size() > 2;
+        report.blocks.emplace_back(std::move(corner));
     }
     if (const auto figure = running_quantiles_figure(fit)) {
         report.blocks.emplace_back(

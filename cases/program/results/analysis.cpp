@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 
 namespace delabole {
@@ -66,6 +67,40 @@ void mark_none(Analysis& analysis, std::string_view prefix) {
     }
 }
 
+namespace {
+
+// What is to be asked of a side of the outline without support, on which the slope seems to continue; empty if there is
+// none.
+std::string free_side_in_words(const RelaxationSlope& slope) {
+    if (slope.frame && slope.frame->sides == FrameSides::all_around) {
+        return {};
+    }
+    const std::vector<SectionPoint>& outline = slope.geometry.outline;
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    double top = right;
+    for (const SectionPoint& point : outline) {
+        left = std::min(left, point.x);
+        right = std::max(right, point.x);
+        top = std::max(top, point.y);
+    }
+    constexpr double rounding = 1e-9;  // of the section's width
+    const double at_left = left + rounding * (right - left);
+    for (std::size_t index = 0; index < outline.size(); ++index) {
+        const SectionPoint& from = outline[index];
+        const SectionPoint& to = outline[(index + 1) % outline.size()];
+        const double higher = std::max(from.y, to.y);
+        if (from.x <= at_left && to.x <= at_left && higher != std::min(from.y, to.y) && higher < top) {
+            return "nothing holds the left side of scene.outline, below " + value_in_words(higher, Dimension::length) +
+                   " at x = " + value_in_words(left, Dimension::length) +
+                   ": blocks may slide out there; scene.frame.sides = \"all_around\" puts fixed rock in front of it";
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
 std::vector<std::string> questions_about(const CaseModel& model) {
     std::vector<std::string> questions;
     const auto ask = [&](const std::string& key, double height) {
@@ -84,6 +119,9 @@ std::vector<std::string> questions_about(const CaseModel& model) {
     if (slope != nullptr && !slope->geometry.outline.empty()) {
         const auto [lowest, highest] = std::ranges::minmax(slope->geometry.outline, {}, &SectionPoint::y);
         ask("scene.outline", highest.y - lowest.y);
+        if (std::string side = free_side_in_words(*slope); !side.empty()) {
+            questions.push_back(std::move(side));
+        }
     }
     return questions;
 }

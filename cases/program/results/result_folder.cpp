@@ -33,6 +33,24 @@ bool may_be_formula(std::string_view text) {
            !bare_number(text.substr(text.starts_with('+') ? 1 : 0));
 }
 
+// Below which a number is nothing but rounding.
+double rounding_of(Dimension dimension) {
+    switch (dimension) {
+    case Dimension::length:
+    case Dimension::area:
+    case Dimension::angle:
+        return 1e-11;  // less than the size of an atom
+    case Dimension::force:
+    case Dimension::force_per_length:
+    case Dimension::moment_per_length:
+        return 1e-6;  // the weight of a grain of sand; that of a column is 1e6 N/m
+    case Dimension::energy_per_length:
+        return 1e-9;  // that grain, let fall by a millimetre
+    default:
+        return 0;
+    }
+}
+
 std::string quoted(const std::string& text) {
     const bool formula = may_be_formula(text);
     if (!formula && text.find_first_of(",\"\n\r") == std::string::npos) {
@@ -79,13 +97,7 @@ std::string column_name(std::string_view name, Dimension dimension) {
 }
 
 double in_display_unit(double value, Dimension dimension) {
-    constexpr double rounding = 1e-11;  // less than the size of an atom, or the weight of a grain of sand
-    const bool rounds = dimension == Dimension::length || dimension == Dimension::area ||
-                        dimension == Dimension::angle || dimension == Dimension::force_per_length;
-    if (rounds && std::abs(value) < rounding) {
-        return 0;
-    }
-    return value / display_unit(dimension).si_per_unit;
+    return std::abs(value) < rounding_of(dimension) ? 0 : value / display_unit(dimension).si_per_unit;
 }
 
 std::string in_digits(double value, Dimension dimension, int digits) {
@@ -95,6 +107,11 @@ std::string in_digits(double value, Dimension dimension, int digits) {
         text.append(" ").append(unit.symbol);
     }
     return text;
+}
+
+std::string in_table_digits(double value, Dimension dimension) {
+    const bool counts = dimension == Dimension::ratio && value == std::round(value);
+    return in_digits(value, dimension, counts ? 6 : 4);
 }
 
 std::string in_six_digits(double value, Dimension dimension) {

@@ -37,11 +37,14 @@ std::string title_of(const CaseFile& file, const Options& options);
 
 // A name that carries the display unit of its number: "crack_depth_m", "plane_dip_deg".
 std::string column_name(std::string_view name, Dimension dimension);
-// The value in its display unit. Lengths, areas, angles and forces below 1e-11 in SI are rounding and become 0.
+// The value in its display unit. Lengths, areas and angles below 1e-11 in SI, forces and moments below 1e-6 and
+// energies below 1e-9 are rounding and become 0.
 double in_display_unit(double value, Dimension dimension);
 // A value with its unit, with that many significant digits.
 std::string in_digits(double value, Dimension dimension, int digits);
-// Six significant digits, for readers who compare with printed values; CSV and JSON have all digits.
+// Four significant digits, for tables of results; counts have six. CSV and JSON have all digits.
+std::string in_table_digits(double value, Dimension dimension);
+// Six significant digits, for values that must be told apart or are compared with printed ones.
 std::string in_six_digits(double value, Dimension dimension);
 
 // {"factor_of_safety": 1.247, "crack_depth_m": 4.348, "outcome": "stable"}. An infinite value becomes the word

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace delabole {
 
@@ -42,13 +43,20 @@ std::string TimeLeft::in_words(double elapsed, double share) {
         older_ = newer_;
         newer_ = {elapsed, share};
     }
-    const double to_do = 1 - share;
-    const double from_all = elapsed * to_do / share;
-    const double from_late = (elapsed - older_.elapsed) * to_do / (share - older_.share);
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = 0;
+    for (const Mark& mark : {Mark{}, older_, newer_}) {
+        constexpr double enough = 1.1;  // of the time at the mark, to measure a pace since then
+        if (elapsed > enough * mark.elapsed) {
+            const double left = (elapsed - mark.elapsed) * (1 - share) / std::max(share - mark.share, 0.0);
+            least = std::min(least, left);
+            greatest = std::max(greatest, left);
+        }
+    }
     constexpr double agreement = 2;
-    const bool known =
-        share > older_.share && std::max(from_all, from_late) <= agreement * std::min(from_all, from_late);
-    return known ? duration_in_words(std::sqrt(from_all * from_late)) + " left" : "time left not known";
+    const bool one_pace = older_.elapsed == 0 && elapsed == newer_.elapsed;
+    const bool known = !one_pace && std::isfinite(greatest) && greatest <= agreement * least;
+    return known ? duration_in_words(std::sqrt(least * greatest)) + " left" : "time left not known";
 }
 
 void Progress::report(double share, const std::string& what, bool may_end_sooner) {

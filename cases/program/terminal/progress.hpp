@@ -6,11 +6,11 @@
 
 namespace delabole {
 
-// Estimates the time left from the pace of the whole work and from that of its latest part.
+// Estimates the time left from the pace of the whole work and from those of its latest parts.
 class TimeLeft {
   public:
-    // "12 s left", given the share of the work done, more than 0, and the time it took; "time left not known" if the
-    // two paces differ by more than a factor of two. To be called repeatedly during the work.
+    // "12 s left", given the share of the work done, more than 0, and the time it took; "time left not known" if
+    // these paces differ by more than a factor of two, or if there is only one. To be called repeatedly during the work.
     std::string in_words(double elapsed, double share);
 
   private:

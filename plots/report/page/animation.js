@@ -69,8 +69,8 @@ function bringToLife(box) {
     });
     scene.setAttribute('transform', 'rotate(' + [-data.tilts[frame], ...data.pivot].join(' ') + ')');
     shown = frame;
-    moment.textContent = 'time ' + four(data.times[frame]) + ' s, tilt ' + four(data.tilts[frame]) + '\u00b0, frame ' +
-      (frame + 1) + ' of ' + frames;
+    const tilt = data.tilts.some(Boolean) ? 'tilt ' + four(data.tilts[frame]) + '\u00b0, ' : '';
+    moment.textContent = 'time ' + four(data.times[frame]) + ' s, ' + tilt + 'frame ' + (frame + 1) + ' of ' + frames;
     scrub.value = frame;
     scrub.setAttribute('aria-valuetext', moment.textContent);
   }

@@ -122,6 +122,7 @@ TEST(JointedSlopeCase, WarnsOfASideThatNothingHolds) {
     };
     EXPECT_FALSE(warned(brief)) << "the toe of the face is the outline's end";
     EXPECT_TRUE(warned(bench));
+    EXPECT_EQ(questions_about(parse_case(bench, "case").model).size(), 1U) << "before it is run, too";
     EXPECT_FALSE(warned(replaced(bench, "below_and_behind", "all_around")));
 }
 
@@ -243,6 +244,23 @@ TEST(OutlineFile, WhatIsNoOutlineIsSaid) {
     const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "folder.csv";
     std::filesystem::create_directories(folder);
     EXPECT_EQ(read_outline_file(folder).problem, "is a folder, not an outline");
+}
+
+TEST(OutlineFile, IsOneLayerOfADrawing) {
+    std::string on_layer(light_polyline);
+    on_layer.insert(on_layer.find("LWPOLYLINE\n") + 11, "8\nground\n");
+    const std::string drawing =
+        dxf_of(on_layer + "0\nLINE\n8\nfault\n10\n0\n20\n0\n11\n9\n21\n9\n0\nCIRCLE\n8\nnotes\n10\n1\n20\n1\n40\n1\n");
+    const OutlineFile ground = outline_of_dxf(drawing, "ground");
+    EXPECT_EQ(ground.problem, "");
+    EXPECT_EQ(ground.outline.size(), outline_of_dxf(dxf_of(light_polyline)).outline.size());
+    EXPECT_NE(outline_of_dxf(drawing, "notes").problem.find("CIRCLE"), std::string::npos);
+    EXPECT_NE(outline_of_dxf(drawing, "rock").problem.find("on the layer rock"), std::string::npos);
+    const std::string lines = dxf_of(on_layer + "0\nLINE\n8\nfault\n10\n50\n20\n0\n11\n60\n21\n9\n");
+    EXPECT_NE(outline_of_dxf(lines).problem.find("on the layers fault and ground: name that of the outline with "
+                                                 "scene.outline_layer"),
+              std::string::npos)
+        << outline_of_dxf(lines).problem;
 }
 
 TEST(OutlineFile, ACaseTakesItsCornersOnce) {

@@ -186,7 +186,16 @@ TEST(InDisplayUnit, TakesRoundingForZero) {
     EXPECT_EQ(in_display_unit(-1.3e-15, Dimension::length), 0);
     EXPECT_EQ(in_display_unit(2e-17, Dimension::angle), 0);
     EXPECT_EQ(in_display_unit(1e-9, Dimension::length), 1e-9) << "an overlap of stiff springs";
+    EXPECT_EQ(in_display_unit(-3.5e-10, Dimension::force_per_length), 0) << "beside columns of 1e6 N/m";
+    EXPECT_EQ(in_display_unit(-1e-7, Dimension::moment_per_length), 0);
+    EXPECT_EQ(in_display_unit(1.5e-17, Dimension::energy_per_length), 0);
     EXPECT_EQ(in_display_unit(1e-20, Dimension::ratio), 1e-20) << "a probability";
+}
+
+TEST(InTableDigits, HasFourButCountsAreWhole) {
+    EXPECT_EQ(in_table_digits(degrees(8.14944), Dimension::angle), "8.149 deg");
+    EXPECT_EQ(in_table_digits(2446351.2, Dimension::force_per_length), "2446 kN/m");
+    EXPECT_EQ(in_table_digits(12345, Dimension::ratio), "12345") << "blocks";
 }
 
 TEST(CsvTable, TextsAreNoFormulasAndNumbersStayNumbers) {

@@ -292,6 +292,23 @@ std::string sets_to_paste(const Kinematics& model, const KinematicsResult& resul
             text += "concentration = " + human_number(std::min(set.measured->concentration, 1e6), 4) + "\n";
         }
     }
+    // A set that strikes along the section crosses it in no line that could be drawn.
+    constexpr double too_near = degrees(30);
+    std::string cuts;
+    for (const JointSetFeasibility& set : result.joint_set) {
+        const double across = set.mean.dip_direction - model.slope.face_dip_direction;
+        if (std::abs(std::cos(across)) >= std::sin(too_near)) {
+            cuts += "#     { name = " + in_quotes(set.name) +
+                    ", joint = \"joints\", trace = { kind = \"set\", dip = \"" +
+                    tenths_shown(apparent_dip(set.mean, model.slope.face_dip_direction)) +
+                    " deg\", spacing = \"3 m\" } },\n";
+        }
+    }
+    text +=
+        "\n# The same as cuts of a jointed slope, without sets that strike within 30 deg of its section; spacings are "
+        "to be "
+        "put in:\n# cut = [\n" +
+        cuts + "# ]\n";
     return text;
 }
 

@@ -48,15 +48,22 @@ void warn(Analysis& analysis, const PlaneFailureResult& result, bool critical_at
 
 Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
     Table table{"Exact derivatives of the factor of safety", {"input", "value"_number, "change of FS"_number, "per"}};
+    const auto in_unit = [](const Sensitivity& input) {
+        return std::abs(input.derivative) * display_unit(input.dimension).si_per_unit;
+    };
+    const double greatest = sensitivities.derivatives.empty()
+                                ? 0
+                                : in_unit(*std::ranges::max_element(sensitivities.derivatives, {}, in_unit));
+    constexpr double rounding = 1e-12;  // of the greatest derivative
     for (const Sensitivity& input : sensitivities.derivatives) {
         const DisplayUnit unit = display_unit(input.dimension);
-        const double per_unit = input.derivative * unit.si_per_unit;
+        const double derivative = in_unit(input) < rounding * greatest ? 0 : input.derivative;
         const DisplayUnit shown = shown_unit(input.dimension);
-        table.rows.push_back({input.parameter, in_six_digits(input.value, input.dimension),
-                              in_six_digits(input.derivative * shown.si_per_unit, Dimension::ratio),
+        table.rows.push_back({input.parameter, in_table_digits(input.value, input.dimension),
+                              in_table_digits(derivative * shown.si_per_unit, Dimension::ratio),
                               shown.symbol.empty() ? "1" : std::string(shown.symbol)});
-        csv.add_row(
-            {input.parameter, in_display_unit(input.value, input.dimension), std::string(unit.symbol), per_unit});
+        csv.add_row({input.parameter, in_display_unit(input.value, input.dimension), std::string(unit.symbol),
+                     derivative * unit.si_per_unit});
     }
     return table;
 }

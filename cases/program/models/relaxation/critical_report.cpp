@@ -256,12 +256,14 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
     }
     HeadCard head{tone_of(made), {end_in_words(made)}, {}};
     if (result.onset_time) {
+        // A crack before anything can be seen to move belongs to the settling of the first steps.
+        const bool crack =
+            result.first_crack && (made.frames.size() < 2 || result.first_crack->time >= made.frames[1].time);
         head.sentences.push_back(
             "The first block passed the thresholds of failure at " +
             value_in_words(*result.onset_time, Dimension::time) +
-            (result.first_crack
-                 ? ", the first crack opened at " + value_in_words(result.first_crack->time, Dimension::time) + "."
-                 : "."));
+            (crack ? ", the first crack opened at " + value_in_words(result.first_crack->time, Dimension::time) + "."
+                   : "."));
     }
     const bool watched = study.settings && study.settings->watch;
     head.sentences.push_back((watched ? "Followed past the verdict, as settings.watch asks; the" : std::string("The")) +

@@ -15,8 +15,13 @@ namespace {
 
 BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
     BlockAnimation animation;
+    // A run that is watched goes on after its verdict, whose moment is that of onset.
+    const bool on_time = made.result.onset_time && *made.result.onset_time < made.result.time;
     animation.outcome =
-        human_name(word_of(made.result.outcome)) + " at " + value_in_words(made.result.time, Dimension::time);
+        human_name(word_of(made.result.outcome)) +
+        (on_time ? ", began at " + value_in_words(*made.result.onset_time, Dimension::time) + ", followed to "
+                 : std::string(" at ")) +
+        value_in_words(made.result.time, Dimension::time);
     animation.colour = "speed";
     animation.unit = shown_unit(Dimension::speed).symbol;
     animation.bar_unit = shown_unit(Dimension::force_per_length).symbol;
@@ -95,6 +100,9 @@ void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report
     }
     const Bodies bodies = make_bodies(made.scene);
     report.blocks.emplace_back(animation_of(made, bodies));
+    if (folder.path().empty()) {
+        return;  // nothing is written
+    }
     if (interrupt_flag()) {
         // They can be a hundred megabytes for a large slope; the same command writes them once it has continued to the
         // end of the run.

@@ -152,6 +152,9 @@ void take_outline_file(Reading& reading, RelaxationStudy& study, const std::file
                        const std::string& prefix) {
     auto* slope = std::get_if<RelaxationSlope>(&study.model.scene);
     if (slope == nullptr || !slope->geometry.outline_file) {
+        if (slope != nullptr && slope->geometry.outline_layer) {
+            reading.complain_at(prefix + "scene.outline_layer", "is a layer of scene.outline_file, which is absent");
+        }
         return;
     }
     const std::string key = prefix + "scene.outline_file";
@@ -160,13 +163,14 @@ void take_outline_file(Reading& reading, RelaxationStudy& study, const std::file
         return;
     }
     const std::filesystem::path path = folder / *slope->geometry.outline_file;
-    OutlineFile file = read_outline_file(path);
+    OutlineFile file = read_outline_file(path, slope->geometry.outline_layer);
     if (!file.problem.empty()) {
         reading.complain_at(key, path.string() + " " + file.problem);
         return;
     }
     slope->geometry.outline = std::move(file.outline);
     slope->geometry.outline_file.reset();
+    slope->geometry.outline_layer.reset();
 }
 
 }  // namespace delabole

@@ -51,35 +51,6 @@ Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
     return table;
 }
 
-// Warns of a side of the outline without support, on which the slope seems to continue.
-void warn_of_free_side(const RelaxationSlope& slope, Analysis& analysis) {
-    if (slope.frame && slope.frame->sides == FrameSides::all_around) {
-        return;
-    }
-    const std::vector<SectionPoint>& outline = slope.geometry.outline;
-    double left = std::numeric_limits<double>::infinity();
-    double right = -left;
-    double top = right;
-    for (const SectionPoint& point : outline) {
-        left = std::min(left, point.x);
-        right = std::max(right, point.x);
-        top = std::max(top, point.y);
-    }
-    constexpr double rounding = 1e-9;  // of the section's width
-    const double at_left = left + rounding * (right - left);
-    for (std::size_t index = 0; index < outline.size(); ++index) {
-        const SectionPoint& from = outline[index];
-        const SectionPoint& to = outline[(index + 1) % outline.size()];
-        const double higher = std::max(from.y, to.y);
-        if (from.x <= at_left && to.x <= at_left && higher != std::min(from.y, to.y) && higher < top) {
-            analysis.warnings.push_back(
-                "nothing holds the left side of scene.outline, below " + value_in_words(higher, Dimension::length) +
-                " at x = " + value_in_words(left, Dimension::length) +
-                ": blocks may slide out there; scene.frame.sides = \"all_around\" puts fixed rock in front of it");
-        }
-    }
-}
-
 }  // namespace
 
 void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection& section, Analysis& analysis) {
@@ -88,9 +59,6 @@ void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection&
             analysis.warnings.push_back(indexed("scene.cut", index) + " (" + slope.geometry.cut[index].name +
                                         ") divides no block");
         }
-    }
-    if (!slope.geometry.outline.empty()) {
-        warn_of_free_side(slope, analysis);
     }
     if (section.outline_reversed) {
         analysis.warnings.emplace_back("scene.outline runs clockwise and was turned round");

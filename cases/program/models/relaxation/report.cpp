@@ -321,6 +321,11 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
     Analysis analysis;
     const RelaxationRun& made = answer.run;
     append_outputs(analysis, answer_of(made));
+    if (made.result.tilt == 0) {
+        for (NamedOutput& output : analysis.outputs) {
+            output.detail = output.detail || output.name == "tilt" || output.name == "crack_tilt";
+        }
+    }
     if (answer.slope) {
         append_cutting_warnings(std::get<RelaxationSlope>(study.model.scene), answer.slope->section, analysis);
     }

@@ -15,7 +15,7 @@ constexpr std::size_t most_named_columns = 200;
 constexpr std::size_t most_rows = 60;
 
 std::string in_cell(double value, Dimension dimension) {
-    return std::isfinite(value) ? human_number(in_display_unit(value, dimension), 5) : "infinite";
+    return std::isfinite(value) ? human_number(in_display_unit(value, dimension), 4) : "infinite";
 }
 
 std::string remark(const ColumnResult& column) {

@@ -55,9 +55,10 @@ std::optional<Misplaced> first_misplaced(const ColumnScene<>& bare, const Column
             return Misplaced{key + ".block", "there are only " + std::to_string(slope.columns.size()) + " columns"};
         }
         const auto number = static_cast<std::size_t>(load.block);
-        return Misplaced{key + ".height",
-                         "lies above the top of column " + std::to_string(number) + ", which is " +
-                             readable_quantity(highest_point(bare, slope, number - 1), Dimension::length) + " high"};
+        // Whole millimetres below it, so that the height is allowed when copied into the case.
+        const double height = std::floor(highest_point(bare, slope, number - 1) * 1e3) / 1e3;
+        return Misplaced{key + ".height", "lies above the top of column " + std::to_string(number) + ", which is " +
+                                              readable_quantity(height, Dimension::length) + " high"};
     }
     return std::nullopt;
 }
