@@ -107,10 +107,11 @@ void add_parts(CLI::App& command, Options& options, unsigned parts) {
                         "by default evaluations.sqlite in the result folder")
             ->type_name("FILE");
         command
-            .add_option("--runs", options.runs,
-                        "Folder with tables of runs of costly models, <mechanism>_predictions.csv, which are not made again, "
-                        "whatever program made them; a table of all runs that the study used is left in the result "
-                        "folder")
+            .add_option(
+                "--runs", options.runs,
+                "Folder with tables of runs of costly models, <mechanism>_predictions.csv, which are not made again, "
+                "whatever program made them; a table of all runs that the study used is left in the result "
+                "folder")
             ->type_name("DIR");
     }
 }
