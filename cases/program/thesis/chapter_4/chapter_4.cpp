@@ -15,7 +15,7 @@ namespace delabole {
 namespace {
 
 Reproduction reproduce_fig_4_1(const ResultFolder& folder, Report& report) {
-    Reproduction result = reproduce_cases("thesis/chapter_4", {"fig_4_1"}, folder, report);
+    Reproduction result = reproduce_cases("thesis/chapter_4", {"fig_4_1"}, "Fig 4.1", folder, report);
     report.blocks.emplace_back(
         folder.draw(mode_chart_figure(single_block_chart(degrees(35), BlockCriteria::superposed_static,
                                                          "Fig 4.1: static criteria, friction 35 deg")),
@@ -59,32 +59,32 @@ Line curve(double from, double to, const std::string& legend, Colour colour, Das
 
 ReproductionChapter chapter_4() {
     const std::string folder = "thesis/chapter_4";
-    return {"chapter4",
-            "blocks on a plane, chapter 4",
-            "Thesis, chapter 4: printed and computed",
-            {
-                data_item("fig3.4", "Fig 3.4", "single column on the tilting frame, theoretical curve", folder,
-                          {"fig_3_4"}),
-                {"fig4.1", "Fig 4.1", "criteria for a single block, static and dynamic", reproduce_fig_4_1},
-                data_item("fig4.3", "Fig 4.3", "two blocks: tilt against base friction for several interfaces", folder,
-                          {"fig_4_3"}),
-                data_item("fig4.4", "Fig 4.4", "two blocks of 2 to 9 inches, friction 20 against 35 deg", folder,
-                          {"fig_4_4"}),
-                data_item("fig4.6", "Fig 4.6", "two blocks, forward and backward mode, all fourteen ratios", folder,
-                          {"fig_4_6"}),
-                {"fig4.7", "Fig 4.7", "two blocks, a/b = 9: boundary friction and the weights behind it",
-                 reproduce_fig_4_7},
-                data_item("fig4.8", "Fig 4.8", "boundary base friction against a/b", folder, {"fig_4_8"}),
-                {"eq12-13", "4.2, eqs (12), (13)", "two blocks: the force between them, and where it is compressive",
-                 reproduce_force_between_two_blocks},
-                {"fig4.9", "Fig 4.9", "the modes of three and four blocks", reproduce_fig_4_9},
-                {"fig4.10", "Fig 4.10", "three blocks, friction the same everywhere", reproduce_fig_4_10},
-                {"eq14-19", "4.3, eqs (14) to (19)",
-                 "equations (14) to (19) printed and derived; does a third block help?", reproduce_equations_14_to_19},
-                data_item("blocks", "4.4, 3.3.1",
-                          "the columns of Appendix A and the west face cut into blocks, in motion", folder,
-                          {"appendix_a_blocks", "west_face_blocks"}),
-            }};
+    return {
+        "chapter4",
+        "blocks on a plane, chapter 4",
+        "Thesis, chapter 4: printed and computed",
+        {
+            data_item("fig3.4", "Fig 3.4", "single column on the tilting frame, theoretical curve", folder,
+                      {"fig_3_4"}),
+            {"fig4.1", "Fig 4.1", "criteria for a single block, static and dynamic", reproduce_fig_4_1},
+            data_item("fig4.3", "Fig 4.3", "two blocks: tilt against base friction for several interfaces", folder,
+                      {"fig_4_3"}),
+            data_item("fig4.4", "Fig 4.4", "two blocks of 2 to 9 inches, friction 20 against 35 deg", folder,
+                      {"fig_4_4"}),
+            data_item("fig4.6", "Fig 4.6", "two blocks, forward and backward mode, all fourteen ratios", folder,
+                      {"fig_4_6"}),
+            {"fig4.7", "Fig 4.7", "two blocks, a/b = 9: boundary friction and the weights behind it",
+             reproduce_fig_4_7},
+            data_item("fig4.8", "Fig 4.8", "boundary base friction against a/b", folder, {"fig_4_8"}),
+            {"eq12-13", "4.2, eqs (12), (13)", "two blocks: the force between them, and where it is compressive",
+             reproduce_force_between_two_blocks},
+            {"fig4.9", "Fig 4.9", "the modes of three and four blocks", reproduce_fig_4_9},
+            {"fig4.10", "Fig 4.10", "three blocks, friction the same everywhere", reproduce_fig_4_10},
+            {"eq14-19", "4.3, eqs (14) to (19)", "equations (14) to (19) printed and derived; does a third block help?",
+             reproduce_equations_14_to_19},
+            data_item("blocks", "4.4, 3.3.1", "the columns of Appendix A and the west face cut into blocks, in motion",
+                      folder, {"appendix_a_blocks", "west_face_blocks"}),
+        }};
 }
 
 }  // namespace delabole
