@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace delabole {
 
@@ -88,6 +89,13 @@ std::string columns_csv(const std::vector<ColumnResult>& as_given, const std::ve
         for (const ColumnResult& column : columns) {
             std::vector<Cell> row{strength, static_cast<double>(column.number), std::string(word_of(column.mode))};
             append_cells(row, column);
+            for (Cell& cell : row) {
+                constexpr double rounding = 1e-11;  // of a position on the base: a share of its width
+                auto* number = std::get_if<double>(&cell);
+                if (number != nullptr && std::abs(*number) < rounding) {
+                    *number = 0;
+                }
+            }
             row.emplace_back(column.reaction_inside_base ? "yes" : "no");
             row.emplace_back(column.base_friction_holds ? "yes" : "no");
             csv.add_row(row);
