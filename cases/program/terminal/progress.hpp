@@ -10,7 +10,8 @@ namespace delabole {
 class TimeLeft {
   public:
     // "12 s left", given the share of the work done, more than 0, and the time it took; "time left not known" if
-    // these paces differ by more than a factor of two, or if there is only one. To be called repeatedly during the work.
+    // these paces differ by more than a factor of two, or if there is only one. To be called repeatedly during the
+    // work.
     std::string in_words(double elapsed, double share);
 
   private:
