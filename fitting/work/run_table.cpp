@@ -297,9 +297,13 @@ std::string RunTable::text() const {
 ModelInterface tabled(ModelInterface model, TabledRuns& runs) {
     const auto predict = model.predict;
     model.predict = [predict, &runs](std::span<const Assignment> assignments) {
-        const RunTable::Key key = RunTable::key_of(assignments);
+        std::vector<Assignment> as_read;
+        for (const auto& [input, value] : RunTable::key_of(assignments)) {
+            as_read.push_back({input, rounded(value, digits_of_inputs)});
+        }
+        const RunTable::Key key = RunTable::key_of(as_read);
         const RunTable::Outcome* known = runs.known.find(key);
-        RunTable::Outcome outcome = known != nullptr ? *known : as_written(predict(assignments));
+        RunTable::Outcome outcome = known != nullptr ? *known : as_written(predict(as_read));
         const std::lock_guard lock(runs.mutex);
         runs.found += known != nullptr ? 1 : 0;
         const RunTable::Outcome& used = runs.used.add(key, std::move(outcome));

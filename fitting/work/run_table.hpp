@@ -3,9 +3,9 @@
 //
 // Unlike the evaluation store, which promises the last bit, a table is read by people and lasts: inputs are written
 // with 12 significant digits, outputs with 9 and profiles with 6, and corners of a profile are left out where it stays
-// within 1/5000 of its extent. A study that makes the table uses the predictions as they are written, so that one which
-// reads it asks for the same runs. A prediction is found if each of its inputs agrees to 1e-9, which is far more than
-// the processors' elementary functions differ by.
+// within 1/5000 of its extent. A study that makes the table uses inputs and predictions as they are written, so that
+// one which reads it asks for the same runs. A prediction is found if each of its inputs agrees to 1e-9, which is far
+// more than the processors' elementary functions differ by.
 //
 // The text is CSV without quotes. Its first line names the model by a hash, the second one the columns: inputs that are
 // set in any run (empty: the base value), `failure`, outputs (empty: NaN; left out where all are), and `profile`, the
