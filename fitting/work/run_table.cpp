@@ -234,8 +234,8 @@ void RunTable::read(std::string_view text) {
     runs_.merge(runs);
 }
 
-const RunTable::Outcome& RunTable::add(const Key& key, Outcome outcome) {
-    return runs_.try_emplace(key, std::move(outcome)).first->second;
+const RunTable::Outcome& RunTable::add(const Key& key, const Outcome& outcome) {
+    return runs_.try_emplace(key, outcome).first->second;
 }
 
 const RunTable::Outcome* RunTable::find(const Key& key) const {
@@ -303,10 +303,10 @@ ModelInterface tabled(ModelInterface model, TabledRuns& runs) {
         }
         const RunTable::Key key = RunTable::key_of(as_read);
         const RunTable::Outcome* known = runs.known.find(key);
-        RunTable::Outcome outcome = known != nullptr ? *known : as_written(predict(as_read));
+        const RunTable::Outcome outcome = known != nullptr ? *known : as_written(predict(as_read));
         const std::lock_guard lock(runs.mutex);
         runs.found += known != nullptr ? 1 : 0;
-        const RunTable::Outcome& used = runs.used.add(key, std::move(outcome));
+        const RunTable::Outcome& used = runs.used.add(key, outcome);
         return Prediction{used.failure, used.outputs, used.profile};
     };
     return model;

@@ -49,7 +49,7 @@ class RunTable {
     // Adds the runs of a text. Throws RunTableError, and then adds none.
     void read(std::string_view text);
     // Returns the run of that key, which stays where it is: the one added, or an earlier one.
-    const Outcome& add(const Key& key, Outcome outcome);
+    const Outcome& add(const Key& key, const Outcome& outcome);
     const Outcome* find(const Key& key) const;
     const std::map<Key, Outcome>& runs() const { return runs_; }
 
@@ -64,6 +64,9 @@ class RunTable {
 
 // A model's runs from a table and those that a study has used, of which a new table is made.
 struct TabledRuns {
+    // `empty`: a table of the same model without runs.
+    TabledRuns(RunTable runs, RunTable empty) : known(std::move(runs)), used(std::move(empty)) {}
+
     RunTable known;
     RunTable used;
     long found = 0;  // predictions taken from `known`

@@ -70,7 +70,7 @@ void exchange_runs(const Ranks& ranks, TabledRuns& runs) {
             RunTable::Outcome outcome;
             reader.get(key);
             reader.get(outcome);
-            runs.used.add(key, std::move(outcome));
+            runs.used.add(key, outcome);
         }
     }
 }
