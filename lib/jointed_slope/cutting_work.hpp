@@ -58,7 +58,6 @@ CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line,
 void rejoin_intact(SectionMesh& mesh);
 // Median area of the faces that are not gouge.
 double typical_area(const CuttingWork& work);
-// stated_share: of the typical block; absent: the standard one, and no joint that runs on is locked by a merged block.
-void merge_slivers(CuttingWork& work, std::optional<double> stated_share, JointedSection& section);
+void merge_slivers(CuttingWork& work, double share, JointedSection& section);
 
 }  // namespace delabole

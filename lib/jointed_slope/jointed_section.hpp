@@ -69,8 +69,8 @@ struct JointedSection {
     bool outline_reversed = false;    // it was clockwise
     std::size_t corners_dropped = 0;  // corners of the outline that repeated the one before or the first
     std::size_t slivers_merged = 0;
-    std::size_t slivers_locking = 0;  // of those merged, across a joint that runs on; only with a stated share
-    std::size_t slivers_kept = 0;     // with no neighbour do they form a convex block, or only across such a joint
+    std::size_t slivers_locking = 0;  // of those merged, across a joint that runs on beyond them
+    std::size_t slivers_kept = 0;     // with no neighbour do they form a convex block
     std::size_t intact_edges = 0;     // left between blocks of the same rock
     double snap_distance = 0;         // m
     double typical_area = 0;          // m2, median of the blocks

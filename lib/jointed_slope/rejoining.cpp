@@ -33,32 +33,31 @@ bool is_gouge(const CuttingWork& work, MeshIndex face) {
 }
 
 // Merges a sliver into the neighbour with the longest common boundary among those with which it forms a convex block.
-// Where the joint between them runs on, the merged block would reach across it and lock it like a key, and rigid blocks
-// could no longer slide along it: such a neighbour is the last choice, and only if it may be `locking`.
-void merge_sliver(SectionMesh& mesh, MeshIndex face, bool locking, JointedSection& section) {
+// Where the joint between them runs on, the merged block reaches across it like a key, and rigid blocks can no longer
+// slide along it: such slivers are counted. To keep them instead lets each slip out by itself before the slope fails.
+void merge_sliver(SectionMesh& mesh, MeshIndex face, JointedSection& section) {
     MeshIndex best = no_index;
-    bool best_locks = true;
     double longest = 0;
     mesh.for_each_edge(face, [&](MeshIndex edge) {
         const MeshIndex twin = mesh.edge(edge).twin;
         if (twin == no_index || !same_rock(mesh, edge) || !mesh.union_is_convex(twin)) {
             return;
         }
-        const bool locks = !mesh.shares_only(edge, intact_rock) && mesh.joint_runs_on(edge);
         const double length = mesh.shared_length(edge);
-        if ((!locks || locking) && (best == no_index || (locks == best_locks ? length > longest : best_locks))) {
+        if (length > longest) {
             longest = length;
             best = twin;
-            best_locks = locks;
         }
     });
     if (best == no_index) {
         ++section.slivers_kept;
         return;
     }
+    if (!mesh.shares_only(best, intact_rock) && mesh.joint_runs_on(best)) {
+        ++section.slivers_locking;
+    }
     mesh.merge(best);
     ++section.slivers_merged;
-    section.slivers_locking += best_locks ? 1 : 0;
 }
 
 }  // namespace
@@ -89,9 +88,7 @@ double typical_area(const CuttingWork& work) {
     return *middle;
 }
 
-void merge_slivers(CuttingWork& work, std::optional<double> stated_share, JointedSection& section) {
-    constexpr double standard_share = 0.02;
-    const double share = stated_share.value_or(standard_share);
+void merge_slivers(CuttingWork& work, double share, JointedSection& section) {
     const double least_area = share * section.typical_area;
     const double least_width = share * std::sqrt(section.typical_area);
     for (MeshIndex face = 0; face < work.mesh.face_count(); ++face) {
@@ -100,7 +97,7 @@ void merge_slivers(CuttingWork& work, std::optional<double> stated_share, Jointe
         }
         const Polygon<> outline = work.mesh.outline_of(face);
         if (area_properties(outline).area < least_area || width_of(outline) < least_width) {
-            merge_sliver(work.mesh, face, stated_share.has_value(), section);
+            merge_sliver(work.mesh, face, section);
         }
     }
 }

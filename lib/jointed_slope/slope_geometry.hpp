@@ -140,7 +140,7 @@ struct SlopeGeometry {
             number(
                 "sliver_share", &G::sliver_share, Dimension::ratio, right_open(0, 1),
                 "of the middling block's area, or of its size in width: less is a sliver, merged where that leaves a "
-                "convex block; absent: 0.02, and then none is merged across a joint that runs on, which it would lock"),
+                "convex block; absent: 0.02"),
             section("outline", &G::outline, "corners of the section, either way round"),
             section("cut", &G::cut, "joints, faults and boundaries in the order of cutting")};
     }

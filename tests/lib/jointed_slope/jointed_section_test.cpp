@@ -243,30 +243,30 @@ TEST(JointedSection, SliversGoToTheNeighbourAndAreCounted) {
     expect_fills(made, square(10));
     EXPECT_EQ(made.block.size(), 11U);
     EXPECT_EQ(made.slivers_merged, 10U);
+    EXPECT_EQ(made.slivers_locking, 0U);
     EXPECT_EQ(made.slivers_kept, 0U);
     geometry.sliver_share = 0;
     EXPECT_EQ(cut_in_one_rock(geometry).block.size(), 21U);
 }
 
-// A tip between the left side, a level joint and a steep one, both of which run on: with the rock below it would be a
-// block, and the level joint would be locked.
-TEST(JointedSection, SliversLockNoJointThatRunsOn) {
+// A tip between the left side, a level joint and a steep one, both of which run on: with the rock below it is a block
+// that locks the level joint, and that is told.
+TEST(JointedSection, SliversThatMayLockAJointAreCounted) {
     SlopeGeometry geometry = section(square(10), {cut("level", line({{-1, 5}, {11, 5}})),
                                                   cut("steep", line({{-0.15, 5.6}, {1.2, 2.9}, {3, -0.7}}))});
+    const JointedSection merged = cut_in_one_rock(geometry);
+    EXPECT_EQ(merged.slivers_merged, 1U);
+    EXPECT_EQ(merged.slivers_locking, 1U);
+    EXPECT_EQ(merged.block.size(), 3U);
+    geometry.sliver_share = 0;
     const JointedSection kept = cut_in_one_rock(geometry);
-    EXPECT_EQ(kept.slivers_merged, 0U);
-    EXPECT_EQ(kept.slivers_kept, 1U);
+    EXPECT_EQ(kept.slivers_locking, 0U);
     EXPECT_EQ(kept.block.size(), 4U);
     for (const SlopeBlock& block : kept.block) {
         const Polygon<> outline = outline_of(kept, block);
         const auto [lowest, highest] = std::ranges::minmax(outline, {}, [](const auto& corner) { return corner.y(); });
         EXPECT_TRUE(lowest.y() > 5 - 1e-9 || highest.y() < 5 + 1e-9) << "no block reaches across the level joint";
     }
-    geometry.sliver_share = 0.02;
-    const JointedSection merged = cut_in_one_rock(geometry);
-    EXPECT_EQ(merged.slivers_merged, 1U);
-    EXPECT_EQ(merged.slivers_locking, 1U);
-    EXPECT_EQ(merged.block.size(), 3U);
 }
 
 TEST(JointedSection, ScatterKeepsWithinItsBounds) {

@@ -64,9 +64,14 @@ void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection&
         analysis.warnings.emplace_back("scene.outline runs clockwise and was turned round");
     }
     if (section.slivers_locking > 0) {
-        analysis.warnings.push_back(std::to_string(section.slivers_locking) +
-                                    " slivers are part of a block beyond a joint that runs on past them, and may lock "
-                                    "it: compare with scene.sliver_share = 0, or leave sliver_share out");
+        analysis.warnings.push_back(
+            std::to_string(section.slivers_locking) +
+            " slivers were merged with a block beyond a joint that runs on past them, which they "
+            "may lock: compare with scene.sliver_share = 0");
+    }
+    if (section.slivers_kept > 0) {
+        analysis.warnings.push_back(std::to_string(section.slivers_kept) +
+                                    " slivers have no neighbour with which they make a convex block");
     }
 }
 
