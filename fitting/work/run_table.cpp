@@ -239,7 +239,10 @@ const RunTable::Outcome& RunTable::add(const Key& key, const Outcome& outcome) {
 }
 
 const RunTable::Outcome* RunTable::find(const Key& key) const {
-    const auto run = std::ranges::find_if(runs_, [&](const auto& known) { return agree(known.first, key); });
+    auto run = runs_.find(key);
+    if (run == runs_.end()) {
+        run = std::ranges::find_if(runs_, [&](const auto& known) { return agree(known.first, key); });
+    }
     return run == runs_.end() ? nullptr : &run->second;
 }
 

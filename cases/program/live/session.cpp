@@ -234,7 +234,7 @@ Json LiveSession::answer_to(const CaseModel& model, bool all_figures) const {
         const auto* number = std::get_if<double>(&output.value);
         json["results"].push_back({{"name", output.name},
                                    {"meaning", output.meaning},
-                                   {"text", number != nullptr ? in_six_digits(*number, output.dimension)
+                                   {"text", number != nullptr ? in_table_digits(*number, output.dimension)
                                                               : std::get<std::string>(output.value)},
                                    {"detail", output.detail}});
     }
