@@ -225,7 +225,8 @@ CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Settin
     for_table(root, "report", [&](Section& section) { read_fields(section, result.report.emplace()); });
     root.finish([&](const std::string& key) {
         const std::string hint = models_that_have(key);
-        return hint.empty() && !reading.full() ? section_that_has_key_of(*tree.find(key), root, result.model) : hint;
+        const bool says_more = hint.empty() && suggestion(key, root.allowed()).empty() && !reading.full();
+        return says_more ? section_that_has_key_of(*tree.find(key), root, result.model) : hint;
     });
     check_sources(reading, result.sources);
     reading.finish();

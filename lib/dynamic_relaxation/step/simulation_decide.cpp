@@ -91,9 +91,9 @@ void Simulation::decide() {
                : settings_.stop_at_onset && state_.onset_time >= 0 ? RelaxationOutcome::onset
                : held_by_corners()                                 ? RelaxationOutcome::held_by_corners
                                                                    : RelaxationOutcome::equilibrium);
-    } else if (last && state_.onset_time >= 0) {
+    } else if (last && state_.onset_time >= 0 && (settings_.stop_at_collapse || followed)) {
         // Blocks have moved past the thresholds and have not come to rest since.
-        decide(collapsed ? RelaxationOutcome::collapse : RelaxationOutcome::onset);
+        decide(RelaxationOutcome::onset);
     }
 }
 
