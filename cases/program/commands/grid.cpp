@@ -114,7 +114,7 @@ std::string grid_title(const CaseSweep& sweep) {
     return capitalised(outputs + " against " + inputs);
 }
 
-// Where a curve over one input passes a value, between its points.
+// Finds where a curve over one input passes a level, by linear interpolation between its points.
 std::vector<double> crossings_of(const SweptCurve& curve, const std::vector<double>& inputs, double level) {
     std::vector<double> crossings;
     for (std::size_t place = 1; place < inputs.size(); ++place) {

@@ -117,7 +117,8 @@ class DxfReader {
         return number.value_or(0);
     }
 
-    // What an entity is not allowed to be matters once its layer is known.
+    // A complaint about an entity is kept until the entity ends, because its layer, which may be one to pass over,
+    // comes after its kind.
     void complain_of_entity(std::string problem) {
         if (entity_problem_.empty()) {
             entity_problem_ = std::move(problem);

@@ -123,7 +123,7 @@ HeadCard head_card(const FitResult& result) {
     const std::string probability = probability_of_best(result);
     const std::string count = std::to_string(result.mechanisms.size());
     const std::string with_probability = probability.empty() ? "" : ", with a probability of " + probability;
-    // What is first by its priors alone is not called the best explanation in one sentence and doubted in the next.
+    // If other priors would put another mechanism first, the first sentence says so and names no best explanation.
     if (const std::string others = first_under_other_priors(result); !others.empty()) {
         head.sentences.push_back("Which of the " + count + " compared explains best depends on what was put in: " +
                                  best.name + " as given" + with_probability + ", " + others + ".");

@@ -69,8 +69,8 @@ void mark_none(Analysis& analysis, std::string_view prefix) {
 
 namespace {
 
-// What is to be asked of a side of the outline without support, on which the slope seems to continue; empty if there is
-// none.
+// Words about a left side of the outline that nothing supports although the slope seems to continue there; empty if
+// there is no such side.
 std::string free_side_in_words(const RelaxationSlope& slope) {
     if (slope.frame && slope.frame->sides == FrameSides::all_around) {
         return {};

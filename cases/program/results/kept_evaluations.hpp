@@ -26,7 +26,7 @@ class KeptEvaluations {
 
     // Every rank has to call this after the study; it collects the evaluations of all ranks.
     void collect();
-    // With --runs, a table of the runs of each model that the study used.
+    // If --runs was given, writes a table for each model with the runs that the study used.
     void write_runs(const ResultFolder& folder) const;
     // Adds the store and the number of evaluations made and found to the provenance, if there is a store.
     void enter(Json& provenance) const;

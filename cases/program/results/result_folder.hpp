@@ -134,7 +134,7 @@ class ResultFolder {
     // Throws OutputError also if a file of that name was already written for this result: names of sweeps and
     // mechanisms become file names, and no file may be lost.
     void write(const std::string& name, std::string_view text) const;
-    // What figures drawn from now on have before their titles, "Table 3.2: ".
+    // Puts a text, such as "Table 3.2: ", before the titles of all figures that are drawn from now on.
     void name_figures(std::string begin) const { titles_begin_ = std::move(begin); }
     // If a figure cannot be drawn, the report says so, and a warning appears on standard error even with --quiet,
     // because the report is then incomplete. After an interrupt figures are drawn only for a moment, and only the

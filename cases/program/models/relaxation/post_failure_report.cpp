@@ -151,7 +151,8 @@ Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failur
     };
     figure.series.emplace_back(
         Line{.points = drawn(failure.left_standing), .legend = "ground left standing", .colour = Colour::black});
-    // Where the ground nowhere lies below the line from foot to top, the knee is half way, on no ground.
+    // If the ground lies nowhere below the line from foot to top, there is no knee: the model then puts it half way
+    // along that line, where there may be no ground.
     std::vector<Point> ends = failure.surface;
     const bool has_knee = ends.size() != 3 || (ends[1] - (ends[0] + ends[2]) / 2).norm() > 0;
     if (!has_knee) {

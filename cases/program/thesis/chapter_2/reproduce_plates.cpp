@@ -33,7 +33,7 @@ Remark stated(FieldVerdict printed, FieldVerdict computed) {
     return printed == FieldVerdict::not_said ? Remark() : statement(printed == computed);
 }
 
-// What the case says of values that its run does not reach, of those outputs.
+// The reasons that a case gives for values its run does not reach, for outputs whose names begin like this.
 std::string reasons(std::string_view file, std::string_view outputs) {
     std::string text;
     for (const Expectation& expectation : built_in_case("thesis/chapter_2", file).expectations) {
