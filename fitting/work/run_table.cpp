@@ -300,11 +300,12 @@ std::string RunTable::text() const {
 ModelInterface tabled(ModelInterface model, TabledRuns& runs) {
     const auto predict = model.predict;
     model.predict = [predict, &runs](std::span<const Assignment> assignments) {
+        RunTable::Key key = RunTable::key_of(assignments);
         std::vector<Assignment> as_read;
-        for (const auto& [input, value] : RunTable::key_of(assignments)) {
-            as_read.push_back({input, rounded(value, digits_of_inputs)});
+        for (auto& [input, value] : key) {
+            value = rounded(value, digits_of_inputs);
+            as_read.push_back({input, value});
         }
-        const RunTable::Key key = RunTable::key_of(as_read);
         const RunTable::Outcome* known = runs.known.find(key);
         const RunTable::Outcome outcome = known != nullptr ? *known : as_written(predict(as_read));
         const std::lock_guard lock(runs.mutex);
