@@ -2,9 +2,10 @@
 //
 // The outline is first divided into convex parts, from each re-entrant corner to the opposite side. Then the cuts are
 // made in their order, each through every block that it crosses from side to side. Finally, parts that were divided
-// only to stay convex are joined again if the result is a convex block, and slivers are merged in the same way. Blocks
-// that share an edge share the numbers of its ends: the areas add up to that of the outline to rounding, and nothing
-// overlaps.
+// only to stay convex are joined again if the result is a convex block. Slivers are merged in the same way where the
+// merged block does not reach across a joint that runs on; other small ones are taken away, and leave a void. Blocks
+// that share an edge share the numbers of its ends: their areas and those of the voids add up to that of the outline to
+// rounding, and nothing overlaps.
 //
 // All lengths are relative to the outline's first corner: a section moved by a number that its coordinates can
 // represent, mirrored or scaled by a power of two gives the same blocks to the last bit. Cost: proportional to the
@@ -69,9 +70,10 @@ struct JointedSection {
     bool outline_reversed = false;    // it was clockwise
     std::size_t corners_dropped = 0;  // corners of the outline that repeated the one before or the first
     std::size_t slivers_merged = 0;
-    std::size_t slivers_locking = 0;  // of those merged, across a joint that runs on beyond them
-    std::size_t slivers_kept = 0;     // with no neighbour do they form a convex block
+    std::size_t slivers_crushed = 0;  // taken away: merged, they would lock a joint or be no convex block
+    std::size_t slivers_kept = 0;     // likewise, but too large to be taken away
     std::size_t intact_edges = 0;     // left between blocks of the same rock
+    double crushed_area = 0;          // m2, of the slivers taken away
     double snap_distance = 0;         // m
     double typical_area = 0;          // m2, median of the blocks
 };

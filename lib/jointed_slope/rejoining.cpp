@@ -1,4 +1,4 @@
-// Joins again, after all cuts, the faces that were divided artificially, and merges slivers.
+// Joins again, after all cuts, the faces that were divided artificially; merges slivers or takes them away.
 #include "jointed_slope/cutting_work.hpp"
 
 #include <algorithm>
@@ -8,6 +8,12 @@
 namespace delabole {
 
 namespace {
+
+// What cannot be merged is taken away as crushed where it is this small and this short, as shares of the middling
+// block's area and size: whatever rested on it still rests on others. Kept, it would slip out by itself before the
+// slope fails.
+constexpr double greatest_crushed_share = 0.02;
+constexpr double greatest_crushed_length = 0.5;
 
 bool same_rock(const SectionMesh& mesh, MeshIndex edge) {
     return mesh.face(mesh.edge(edge).face).rock == mesh.face(mesh.edge(mesh.edge(edge).twin).face).rock;
@@ -32,15 +38,31 @@ bool is_gouge(const CuttingWork& work, MeshIndex face) {
     return std::find(work.gouge.begin(), work.gouge.end(), work.mesh.face(face).rock) != work.gouge.end();
 }
 
-// Merges a sliver into the neighbour with the longest common boundary among those with which it forms a convex block.
-// Where the joint between them runs on, the merged block reaches across it like a key, and rigid blocks can no longer
-// slide along it: such slivers are counted. To keep them instead lets each slip out by itself before the slope fails.
-void merge_sliver(SectionMesh& mesh, MeshIndex face, JointedSection& section) {
+// Greatest distance between two corners.
+double length_of(const Polygon<>& outline) {
+    double greatest = 0;
+    for (std::size_t index = 1; index < outline.size(); ++index) {
+        for (std::size_t other = 0; other < index; ++other) {
+            greatest = std::max(greatest, (outline[index] - outline[other]).norm());
+        }
+    }
+    return greatest;
+}
+
+// Whether the block that a sliver and its neighbour at an edge would form reaches across a joint that runs on, like a
+// key: rigid blocks could no longer slide along it.
+bool locks_a_joint(const SectionMesh& mesh, MeshIndex edge) {
+    return !mesh.shares_only(edge, intact_rock) && mesh.joint_runs_on(edge);
+}
+
+// Merges a sliver into the neighbour with the longest common boundary among those with which it forms a convex block
+// that locks no joint.
+bool merge_sliver(SectionMesh& mesh, MeshIndex face) {
     MeshIndex best = no_index;
     double longest = 0;
     mesh.for_each_edge(face, [&](MeshIndex edge) {
         const MeshIndex twin = mesh.edge(edge).twin;
-        if (twin == no_index || !same_rock(mesh, edge) || !mesh.union_is_convex(twin)) {
+        if (twin == no_index || !same_rock(mesh, edge) || !mesh.union_is_convex(twin) || locks_a_joint(mesh, twin)) {
             return;
         }
         const double length = mesh.shared_length(edge);
@@ -49,15 +71,10 @@ void merge_sliver(SectionMesh& mesh, MeshIndex face, JointedSection& section) {
             best = twin;
         }
     });
-    if (best == no_index) {
-        ++section.slivers_kept;
-        return;
+    if (best != no_index) {
+        mesh.merge(best);
     }
-    if (!mesh.shares_only(best, intact_rock) && mesh.joint_runs_on(best)) {
-        ++section.slivers_locking;
-    }
-    mesh.merge(best);
-    ++section.slivers_merged;
+    return best != no_index;
 }
 
 }  // namespace
@@ -89,17 +106,31 @@ double typical_area(const CuttingWork& work) {
 }
 
 void merge_slivers(CuttingWork& work, double share, JointedSection& section) {
-    const double least_area = share * section.typical_area;
-    const double least_width = share * std::sqrt(section.typical_area);
-    for (MeshIndex face = 0; face < work.mesh.face_count(); ++face) {
-        if (!work.mesh.alive(face) || is_gouge(work, face)) {
-            continue;
+    SectionMesh& mesh = work.mesh;
+    const double size = std::sqrt(section.typical_area);
+    const auto for_each_sliver = [&](auto&& function) {
+        for (MeshIndex face = 0; face < mesh.face_count(); ++face) {
+            if (mesh.alive(face) && !is_gouge(work, face)) {
+                const Polygon<> outline = mesh.outline_of(face);
+                const double area = area_properties(outline).area;
+                if (area < share * section.typical_area || width_of(outline) < share * size) {
+                    function(face, outline, area);
+                }
+            }
         }
-        const Polygon<> outline = work.mesh.outline_of(face);
-        if (area_properties(outline).area < least_area || width_of(outline) < least_width) {
-            merge_sliver(work.mesh, face, section);
+    };
+    for_each_sliver(
+        [&](MeshIndex face, const Polygon<>&, double) { section.slivers_merged += merge_sliver(mesh, face) ? 1 : 0; });
+    for_each_sliver([&](MeshIndex face, const Polygon<>& outline, double area) {
+        if (area < greatest_crushed_share * section.typical_area &&
+            length_of(outline) < greatest_crushed_length * size) {
+            mesh.remove(face);
+            ++section.slivers_crushed;
+            section.crushed_area += area;
+        } else {
+            ++section.slivers_kept;
         }
-    }
+    });
 }
 
 }  // namespace delabole

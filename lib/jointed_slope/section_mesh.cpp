@@ -160,6 +160,18 @@ bool SectionMesh::joint_runs_on(MeshIndex edge) const {
     return joint_leaves(chain.first, -along) || joint_leaves(edges_[chain.last].next, along);
 }
 
+void SectionMesh::remove(MeshIndex face) {
+    for_each_edge(face, [&](MeshIndex edge) {
+        const MeshIndex twin = edges_[edge].twin;
+        if (twin != no_index) {
+            edges_[twin].twin = no_index;
+            edges_[twin].joint = free_surface;
+        }
+        edges_[edge].face = no_index;
+    });
+    faces_[face].edge = no_index;
+}
+
 void SectionMesh::merge(MeshIndex edge) {
     const Chain chain = shared_chain(edge);
     const MeshIndex kept = edges_[edge].face;

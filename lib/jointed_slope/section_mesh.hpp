@@ -86,6 +86,8 @@ class SectionMesh {
     bool joint_runs_on(MeshIndex edge) const;
     // Removes the common boundary of the two faces at an edge, which has a twin; the face on its left remains.
     void merge(MeshIndex edge);
+    // Takes a face away; the edges of its neighbours become free surfaces.
+    void remove(MeshIndex face);
 
   private:
     struct Chain {

@@ -140,7 +140,7 @@ struct SlopeGeometry {
             number(
                 "sliver_share", &G::sliver_share, Dimension::ratio, right_open(0, 1),
                 "of the middling block's area, or of its size in width: less is a sliver, merged where that leaves a "
-                "convex block; absent: 0.02"),
+                "convex block and locks no joint, else taken away if below 0.02; absent: 0.02"),
             section("outline", &G::outline, "corners of the section, either way round"),
             section("cut", &G::cut, "joints, faults and boundaries in the order of cutting")};
     }

@@ -1,5 +1,5 @@
-// Any outline and any cuts: either the reason why there are no blocks, or blocks that fill the outline, are convex and
-// share their edges.
+// Any outline and any cuts: either the reason why there are no blocks, or blocks that fill the outline but for voids,
+// are convex and share their edges.
 #include "jointed_slope/jointed_section.hpp"
 
 #include "tests/support/jointed_slopes.hpp"
@@ -122,7 +122,7 @@ void look_at(const delabole::SlopeGeometry& geometry, const delabole::JointedSec
     }
     // Rounding of the coordinates, which count from the first corner, times the way around all blocks.
     const double rounding = 1e-12 * size * size;
-    double area = 0;
+    double area = made.crushed_area;
     std::set<std::pair<delabole::MeshIndex, delabole::MeshIndex>> edges;
     for (const delabole::SlopeBlock& block : made.block) {
         const std::size_t count = block.vertex.size();

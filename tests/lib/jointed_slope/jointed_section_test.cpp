@@ -66,7 +66,7 @@ void expect_exact_contact(const JointedSection& made) {
 void expect_fills(const JointedSection& made, const std::vector<SectionPoint>& outline) {
     ASSERT_EQ(made.check, SlopeCheck::valid) << word_of(made.check);
     expect_exact_contact(made);
-    EXPECT_NEAR(area_of(made) / area_of(outline), 1, 1e-12);
+    EXPECT_NEAR((area_of(made) + made.crushed_area) / area_of(outline), 1, 1e-12);
 }
 
 std::vector<std::pair<double, double>> sorted_vertices(const JointedSection& made, double sign = 1) {
@@ -89,7 +89,7 @@ TEST(JointedSection, SquareIsCutIntoSquares) {
     EXPECT_EQ(made.block.size(), 11U * 11U);
     EXPECT_EQ(made.cut[0].made, 10U);
     EXPECT_EQ(made.cut[1].made, 11U * 10U);
-    EXPECT_EQ(made.slivers_merged + made.slivers_kept, 0U);
+    EXPECT_EQ(made.slivers_merged + made.slivers_crushed + made.slivers_kept, 0U);
     expect_fills(made, square(10));
 }
 
@@ -198,6 +198,7 @@ TEST(JointedSection, BoundaryPartsTheRocks) {
     boundary.rock_below = "other";
     for (const bool with_joints : {false, true}) {
         SlopeGeometry geometry = section(square(10), {cut("boundary", boundary)});
+        geometry.sliver_share = 0;
         if (with_joints) {
             geometry.cut.push_back(cut("a", joint_set(degrees(70), 1.3)));
         }
@@ -243,30 +244,45 @@ TEST(JointedSection, SliversGoToTheNeighbourAndAreCounted) {
     expect_fills(made, square(10));
     EXPECT_EQ(made.block.size(), 11U);
     EXPECT_EQ(made.slivers_merged, 10U);
-    EXPECT_EQ(made.slivers_locking, 0U);
+    EXPECT_EQ(made.slivers_crushed, 0U);
     EXPECT_EQ(made.slivers_kept, 0U);
     geometry.sliver_share = 0;
     EXPECT_EQ(cut_in_one_rock(geometry).block.size(), 21U);
 }
 
-// A tip between the left side, a level joint and a steep one, both of which run on: with the rock below it is a block
-// that locks the level joint, and that is told.
-TEST(JointedSection, SliversThatMayLockAJointAreCounted) {
+// A tip between the left side, a level joint and a steep one, both of which run on: with the rock below it would be a
+// block that locks the level joint.
+TEST(JointedSection, SliversThatWouldLockAJointAreTakenAway) {
     SlopeGeometry geometry = section(square(10), {cut("level", line({{-1, 5}, {11, 5}})),
                                                   cut("steep", line({{-0.15, 5.6}, {1.2, 2.9}, {3, -0.7}}))});
-    const JointedSection merged = cut_in_one_rock(geometry);
-    EXPECT_EQ(merged.slivers_merged, 1U);
-    EXPECT_EQ(merged.slivers_locking, 1U);
-    EXPECT_EQ(merged.block.size(), 3U);
+    const auto expect_level_joint_open = [](const JointedSection& made) {
+        expect_fills(made, square(10));
+        for (const SlopeBlock& block : made.block) {
+            const Polygon<> outline = outline_of(made, block);
+            const auto [lowest, highest] =
+                std::ranges::minmax(outline, {}, [](const auto& corner) { return corner.y(); });
+            EXPECT_TRUE(lowest.y() > 5 - 1e-9 || highest.y() < 5 + 1e-9) << "no block reaches across the level joint";
+        }
+    };
+    const JointedSection crushed = cut_in_one_rock(geometry);
+    expect_level_joint_open(crushed);
+    EXPECT_EQ(crushed.slivers_merged, 0U);
+    EXPECT_EQ(crushed.slivers_crushed, 1U);
+    EXPECT_EQ(crushed.block.size(), 3U);
     geometry.sliver_share = 0;
     const JointedSection kept = cut_in_one_rock(geometry);
-    EXPECT_EQ(kept.slivers_locking, 0U);
+    expect_level_joint_open(kept);
     EXPECT_EQ(kept.block.size(), 4U);
-    for (const SlopeBlock& block : kept.block) {
-        const Polygon<> outline = outline_of(kept, block);
-        const auto [lowest, highest] = std::ranges::minmax(outline, {}, [](const auto& corner) { return corner.y(); });
-        EXPECT_TRUE(lowest.y() > 5 - 1e-9 || highest.y() < 5 + 1e-9) << "no block reaches across the level joint";
-    }
+    EXPECT_EQ(kept.crushed_area, 0);
+}
+
+// A wedge as long as the section between two joints that cross at 0.6 deg: without it the upper half would drop.
+TEST(JointedSection, LongSliversAreKept) {
+    const JointedSection made = cut_in_one_rock(
+        section(square(10), {cut("level", line({{-1, 5}, {11, 5}})), cut("inclined", line({{-1, 5.07}, {11, 4.95}}))}));
+    expect_fills(made, square(10));
+    EXPECT_EQ(made.slivers_crushed, 0U);
+    EXPECT_EQ(made.slivers_kept, 2U);
 }
 
 TEST(JointedSection, ScatterKeepsWithinItsBounds) {

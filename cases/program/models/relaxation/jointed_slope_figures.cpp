@@ -63,15 +63,10 @@ void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection&
     if (section.outline_reversed) {
         analysis.warnings.emplace_back("scene.outline runs clockwise and was turned round");
     }
-    if (section.slivers_locking > 0) {
-        analysis.warnings.push_back(
-            std::to_string(section.slivers_locking) +
-            " slivers were merged with a block beyond a joint that runs on past them, which they "
-            "may lock: compare with scene.sliver_share = 0");
-    }
     if (section.slivers_kept > 0) {
         analysis.warnings.push_back(std::to_string(section.slivers_kept) +
-                                    " slivers have no neighbour with which they make a convex block");
+                                    " slivers were kept: with none of their neighbours do they make a convex block "
+                                    "that locks no joint, and they are too large to be taken away");
     }
 }
 
@@ -84,7 +79,9 @@ void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made,
         {cut_table(slope, section),
          Paragraph{"Slivers below the stated share of the middling block, " +
                    value_in_words(section.typical_area, Dimension::area) + ": " +
-                   std::to_string(section.slivers_merged) + " merged, " + std::to_string(section.slivers_kept) +
+                   std::to_string(section.slivers_merged) + " merged, " + std::to_string(section.slivers_crushed) +
+                   " taken away as crushed (" + value_in_words(section.crushed_area, Dimension::area) +
+                   " together; merged, they would lock a joint), " + std::to_string(section.slivers_kept) +
                    " kept. Faces in intact rock: " + std::to_string(section.intact_edges) + ". Cuts nearer than " +
                    value_in_words(section.snap_distance, Dimension::length) + " to a corner run through it."}}};
     if (made.block.size() > most_drawn_blocks) {

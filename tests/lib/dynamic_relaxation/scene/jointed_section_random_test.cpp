@@ -128,7 +128,7 @@ TEST(RandomJointedSections, BlocksAreConvexFillTheOutlineAndRun) {
         const JointedSection made = testing::cut_in_one_rock(geometry);
         ASSERT_EQ(made.check, SlopeCheck::valid) << run << ": " << word_of(made.check);
         blocks += made.block.size();
-        double area = 0;
+        double area = made.crushed_area;
         std::map<std::pair<MeshIndex, MeshIndex>, int> edges;
         for (const SlopeBlock& block : made.block) {
             area += area_properties(outline_of(made, block)).area;

@@ -2,6 +2,8 @@
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
+#include "tests/support/jointed_slopes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -216,6 +218,37 @@ TEST(LoadingPaths, WeightGrowsUntilCohesionIsSpent) {
         20e3 * 2 / (weight * (std::sin(degrees(35)) - std::cos(degrees(35)) * std::tan(degrees(30))));
     EXPECT_LT(critical.value(), expected * 1.01);
     EXPECT_GT(critical.value(), 0.3 * expected);
+}
+
+// Columns on a joint through the toe. The first column joint leaves a tip of 0.08 m2 at the face: merged with the rock
+// below, it would hold the whole slope up to a factor of 2.892.
+TEST(StrengthReduction, ATipAtTheFaceLocksNoJoint) {
+    const double friction = std::tan(degrees(28.693206877));
+    RelaxationSlope slope{};
+    slope.rock = {{"rock", 2600}};
+    slope.joint = {{"joint", {}, {}}, {"intact", {}, {}}};
+    slope.joint[0].strength.friction_angle = std::atan(friction);
+    slope.joint[1].strength.friction_angle = degrees(45);
+    slope.joint[1].strength.cohesion = 1e9;
+    slope.joint[1].strength.tensile_strength = 1e9;
+    slope.frame = SlopeFrame{FrameSides::all_around, 3.59, {}, "joint"};
+    const double height = 17.952350177;
+    slope.geometry = testing::section(
+        {{-10.771, -8.976}, {35.687, -8.976}, {35.687, height}, {8.758, height}, {0, 0}, {0, -0.3}, {-10.771, -0.3}},
+        {testing::cut("base", testing::line({{0, 0}, {107.060036, 79.61361}})),
+         testing::cut("columns", testing::joint_set(degrees(-69.313001402), 2.976498671, 1.748350162))});
+    slope.geometry.intact_joint = "intact";
+    RelaxationStudy study{};
+    study.model.scene = slope;
+    study.settings = RelaxationNumerics{};
+    study.settings->stop = RelaxationStop::onset;
+    study.critical = ReductionSearch{};
+    const CriticalAnswer critical = find_critical(study);
+    ASSERT_EQ(critical.status, CriticalStatus::found);
+    // What slides on the base alone has 0.735; steep joints through it can only weaken it.
+    EXPECT_LT(critical.stands, friction / (79.61361 / 107.060036) + half_bracket);
+    std::get<RelaxationSlope>(study.model.scene).geometry.sliver_share = 0;
+    EXPECT_NEAR(find_critical(study).value(), critical.value(), 2 * half_bracket);
 }
 
 }  // namespace
