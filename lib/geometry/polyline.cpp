@@ -43,6 +43,28 @@ double signed_distance(const Polyline& line, const Point& point) {
     return std::copysign(std::sqrt(nearest_squared), side);
 }
 
+double rms_distance(std::span<const Point> line, const Point& from, const Point& to) {
+    const Point along = to - from;
+    const double whole = along.norm();
+    if (line.empty() || whole == 0) {
+        return 0;
+    }
+    const auto distance = [&](const Point& point) {
+        return (along.x() * (point.y() - from.y()) - along.y() * (point.x() - from.x())) / whole;
+    };
+    double squares = 0;
+    double length = 0;
+    double before = distance(line.front());
+    for (std::size_t index = 1; index < line.size(); ++index) {
+        const double after = distance(line[index]);
+        const double stretch = (line[index] - line[index - 1]).norm();
+        squares += stretch * (before * before + before * after + after * after) / 3;
+        length += stretch;
+        before = after;
+    }
+    return length > 0 ? std::sqrt(squares / length) : 0;
+}
+
 Polyline resample(const Polyline& line, std::size_t count) {
     const double total = length(line);
     if (count < 2 || !(total > 0)) {

@@ -391,6 +391,13 @@ expect_status 0
 delabole run "$DELABOLE_SOURCE/cases/relaxation/free_slide.toml" --no-report --out bare_motion
 expect_status 0
 expect "frames" test -s bare_motion/frames/run_blocks.pvd
+delabole run "$DELABOLE_SOURCE/cases/relaxation/retreating_slope.toml" --no-report --out retreat
+expect_status 0
+expect "the ground after each stage, the last being what is left" awk -F, '
+    FNR == NR { if ($1 == "retrogression.stages") stages = $2; next }
+    FNR == 1 { ended = stages > 0 && NF == 3 + stages && $3 == "left_standing_m" && $NF == "after_stage_" stages "_m"; next }
+    { off = $3 - $NF; ended = ended && off * off < 1e-12 }
+    END { exit !(ended && FNR > 100) }' <(tr -s ' ' , <"$scratch/out") retreat/left_standing.csv
 delabole fit fit.toml --no-report --out bare_fit
 expect_status 0
 expect_output 'results in bare_fit'

@@ -1,10 +1,12 @@
 #include "dynamic_relaxation/study/post_failure.hpp"
 
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
+#include "dynamic_relaxation/study/rotation_share.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace delabole {
 
@@ -120,6 +122,7 @@ class Survey {
 
     void weigh_blocks() {
         result_.share.assign(bodies_.size(), 0);
+        RotationShare rotation;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
             if (bodies_.fixed[block] != 0 || slope_.removed[block] != 0) {
                 continue;
@@ -129,7 +132,11 @@ class Survey {
                 std::hypot(moved.horizontal, moved.vertical, moved.rotation * bodies_.radius[block]);
             result_.share[block] = has_failed(block) ? 1 : share_of(moved_by, moved_limit_);
             result_.answer.failed_area += result_.share[block] * area_[block];
+            if (!has_failed(block)) {
+                rotation.add(bodies_, block, slope_.start[block], slope_.now[block]);
+            }
         }
+        result_.answer.rotation_share = rotation.value();
     }
 
     void walk_over_ground() {
@@ -249,13 +256,16 @@ class Survey {
         const Polyline& left = result_.left_standing;
         const Point foot = left[std::min(first, line_.size() - 1)];
         const Point top = left[last];
+        // Without a point below the line from foot to top the knee lies halfway along that line.
         Point knee = (foot + top) / 2;
+        std::size_t knee_index = (first + last) / 2;
         double deepest = 0;
         for (std::size_t index = first + 1; index < last; ++index) {
             const double depth = -height_over(foot, top, left[index]);
             if (depth > deepest) {
                 deepest = depth;
                 knee = left[index];
+                knee_index = index;
             }
         }
         result_.surface = {foot, knee, top};
@@ -264,6 +274,11 @@ class Survey {
         result_.answer.top_level = top.y();
         result_.answer.lower_angle = inclination(foot, knee);
         result_.answer.upper_angle = inclination(knee, top);
+        if (first < knee_index && knee_index < last) {
+            const std::span<const Point> ground(left);
+            result_.answer.lower_roughness = rms_distance(ground.subspan(first, knee_index - first + 1), foot, knee);
+            result_.answer.upper_roughness = rms_distance(ground.subspan(knee_index, last - knee_index + 1), knee, top);
+        }
     }
 
     double ground_at(double x) const {

@@ -81,9 +81,12 @@ struct PostFailureAnswer {
     double top_level;
     double lower_angle;
     double upper_angle;
+    double lower_roughness;
+    double upper_roughness;
     CrestMovement near_face;
     CrestMovement between_cracks;
     double backward_rotation;
+    double rotation_share;
     std::vector<CrestJoint> joint;
     static constexpr auto fields() {
         using P = PostFailureAnswer;
@@ -98,10 +101,16 @@ struct PostFailureAnswer {
             number("lower_angle", &P::lower_angle, Dimension::angle, any,
                    "mean inclination of the surface left standing, foot to knee"),
             number("upper_angle", &P::upper_angle, Dimension::angle, any, "likewise, knee to top"),
+            number("lower_roughness", &P::lower_roughness, Dimension::length, any,
+                   "root mean square distance of the surface left standing from the line from foot to knee"),
+            number("upper_roughness", &P::upper_roughness, Dimension::length, any, "likewise, from knee to top"),
             section("near_face", &P::near_face, "blocks between the crest and the first open crack behind it"),
             section("between_cracks", &P::between_cracks, "blocks between the first and the last open crack"),
             number("backward_rotation", &P::backward_rotation, Dimension::angle, any,
                    "into the slope, the greatest of a block at the ground behind the crest"),
+            number("rotation_share", &P::rotation_share, Dimension::ratio, any,
+                   "share of rotation in the kinetic energy of all blocks that are there, with displacements since the "
+                   "start in place of velocities; 0: they slide, 0.25: rectangles turn about a corner"),
             section("joint", &P::joint, "cracks at the crest by their joint, as the scene lists joints")};
     }
 };

@@ -2,12 +2,15 @@
 
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
+#include "dynamic_relaxation/study/post_failure.hpp"
+#include "dynamic_relaxation/study/rotation_share.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace delabole {
@@ -42,7 +45,18 @@ void divide_by_area(RetrogressionStage& sum) {
         sum.toppling_share /= sum.area;
         sum.backward_share /= sum.area;
         sum.sliding_share /= sum.area;
+        sum.rotation_share /= sum.area;
     }
+}
+
+// Blocks that have only lost their support have not begun to fall at onset.
+double rotation_share(const Bodies& bodies, const FailureStage& stage) {
+    RotationShare share;
+    for (std::size_t index = 0; index < stage.moved; ++index) {
+        const std::size_t block = stage.block[index];
+        share.add(bodies, block, stage.start[block], stage.onset[block]);
+    }
+    return share.value();
 }
 
 // Remaining blocks lose the water pressure on faces that they shared with removed blocks.
@@ -275,6 +289,8 @@ RetrogressionAnswer answer_of(const Bodies& bodies, const std::vector<FailureSta
             add_block(bodies, stage, index, answer.total);
         }
         divide_by_area(sum);
+        sum.rotation_share = rotation_share(bodies, stage);
+        answer.total.rotation_share += sum.area * sum.rotation_share;
     }
     divide_by_area(answer.total);
     if (!stages.empty()) {
@@ -282,6 +298,21 @@ RetrogressionAnswer answer_of(const Bodies& bodies, const std::vector<FailureSta
         answer.largest = *std::ranges::max_element(answer.stage, {}, &RetrogressionStage::area);
     }
     return answer;
+}
+
+std::vector<Polyline> left_standing_after(const Bodies& bodies, const std::vector<FailureStage>& stages) {
+    const std::vector<Motion> unmoved(bodies.size());
+    const std::vector<char> none(bodies.size(), 0);
+    const std::vector<std::string> no_joints;
+    std::vector<char> failed(bodies.size(), 0);
+    std::vector<Polyline> after;
+    for (const FailureStage& stage : stages) {
+        for (const std::uint64_t block : stage.block) {
+            failed[block] = 1;
+        }
+        after.push_back(post_failure({bodies, unmoved, unmoved, none, no_joints, failed}, {}).left_standing);
+    }
+    return after;
 }
 
 }  // namespace delabole

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
+#include "geometry/polyline.hpp"
 #include "parameters/fields.hpp"
 
 #include <cstdint>
@@ -43,6 +44,7 @@ struct RetrogressionStage {
     double toppling_share;
     double backward_share;
     double sliding_share;
+    double rotation_share;
     static constexpr auto fields() {
         using S = RetrogressionStage;
         constexpr Interval any = any_number();
@@ -52,7 +54,11 @@ struct RetrogressionStage {
             number("toppling_share", &S::toppling_share, Dimension::ratio, any,
                    "share of this area in blocks that turn out of the slope"),
             number("backward_share", &S::backward_share, Dimension::ratio, any, "likewise, into the slope"),
-            number("sliding_share", &S::sliding_share, Dimension::ratio, any, "likewise, in blocks that do not turn")};
+            number("sliding_share", &S::sliding_share, Dimension::ratio, any, "likewise, in blocks that do not turn"),
+            number("rotation_share", &S::rotation_share, Dimension::ratio, any,
+                   "share of rotation in the kinetic energy at onset, with displacements until then in place of "
+                   "velocities; 0: blocks slide, 0.25: rectangles turn about a corner. Of several masses the mean by "
+                   "area")};
     }
 };
 
@@ -84,5 +90,9 @@ struct FailureStage {
 };
 
 RetrogressionAnswer answer_of(const Bodies& bodies, const std::vector<FailureStage>& stages);
+
+// Ground left standing after each stage, by the blocks that have failed until then; all at the same x, those of
+// PostFailure::left_standing.
+std::vector<Polyline> left_standing_after(const Bodies& bodies, const std::vector<FailureStage>& stages);
 
 }  // namespace delabole

@@ -1,7 +1,10 @@
 #include "limit_equilibrium/stepped_path/stepped_path.hpp"
 
+#include "geometry/polygon.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace delabole {
 
@@ -79,6 +82,28 @@ void add_crest_movements(const Motion& motion, const PathLattice& lattice, Stepp
     result.crest_turning = 0 - last.turn * (high->y() - low->y()) / greatest;
 }
 
+// Weight drives the parts that sink. Parts that rise are driven by the others or by water, so that they are left out:
+// shares of the net work would exceed 1.
+void add_work_shares(const Motion& motion, SteppedPathResult& result) {
+    double all = 0;
+    for (std::size_t index = 0; index < motion.part.size(); ++index) {
+        const SteppedPathResult::Part& part = result.parts[index];
+        const AreaProperties<> area = area_properties(part.outline);
+        const double work = -area.area * motion.part[index].at(area.centroid).y();
+        if (work > 0) {
+            (part.wedge                         ? result.slide_head_work_share
+             : part.mode == ColumnMode::topples ? result.toppling_work_share
+                                                : result.sliding_work_share) += work;
+            all += work;
+        }
+    }
+    if (all > 0) {
+        result.toppling_work_share /= all;
+        result.sliding_work_share /= all;
+        result.slide_head_work_share /= all;
+    }
+}
+
 Point unit(double dip) {
     return {std::cos(dip), std::sin(dip)};
 }
@@ -110,8 +135,9 @@ void set_sliding(const SteppedPath& problem, const PathLattice& lattice, const L
     result.sliding_share = 1;
     const Point along = unit(problem.risers->dip);
     const Point out(-along.y(), along.x());
-    add_crest_movements({{{-unit(problem.steps.dip), Point(0, 0), 0}}, {{result.surface.back(), out}}}, lattice,
-                        result);
+    const Motion motion{{{-unit(problem.steps.dip), Point(0, 0), 0}}, {{result.surface.back(), out}}};
+    add_crest_movements(motion, lattice, result);
+    add_work_shares(motion, result);
 }
 
 void set_columns(const SteppedPath& problem, const PathLattice& lattice, const CriticalPath& critical,
@@ -174,6 +200,7 @@ void set_columns(const SteppedPath& problem, const PathLattice& lattice, const C
         *share /= area;
     }
     add_crest_movements(motion, lattice, result);
+    add_work_shares(motion, result);
 }
 
 // The upper surface is the last straight part of the surface, along one joint.
@@ -193,22 +220,11 @@ void describe_surface(const PathLattice& lattice, SteppedPathResult& result) {
     result.upper_angle = std::atan2(top.y() - knee.y(), top.x() - knee.x());
     const Point line = knee - foot;
     result.lower_angle = std::atan2(line.y(), line.x());
-    const auto distance = [&](const Point& point) {
-        return (line.x() * (point.y() - foot.y()) - line.y() * (point.x() - foot.x())) / line.norm();
-    };
-    double squares = 0;
-    double length = 0;
-    double from = 0;
+    result.lower_roughness = rms_distance(std::span(surface).first(surface.size() - 1), foot, knee);
     for (std::size_t index = 1; index + 1 < surface.size(); ++index) {
-        const double to = distance(surface[index]);
-        const double stretch = (surface[index] - surface[index - 1]).norm();
-        squares += stretch * (from * from + from * to + to * to) / 3;
-        length += stretch;
-        from = to;
         const Point edge = surface[index] - surface[index - 1];
         result.lower_steps += std::abs(edge.y()) > std::abs(edge.x()) ? 1 : 0;
     }
-    result.lower_roughness = std::sqrt(squares / length);
 }
 
 // A surface is at a limit of the search if the next joint would lie beyond it.

@@ -43,6 +43,9 @@ struct SteppedPathResult {
     double toppling_share = 0;
     double sliding_share = 0;
     double slide_head_share = 0;
+    double toppling_work_share = 0;
+    double sliding_work_share = 0;
+    double slide_head_work_share = 0;
     double crest_cracks = 0;
     double crest_opening = 0;
     double crest_sinking = 0;
@@ -93,6 +96,13 @@ struct SteppedPathResult {
                    "share of the moving area that slides on steps"),
             number("slide_head_share", &R::slide_head_share, Dimension::ratio, any_number(),
                    "share of the moving area in the wedge"),
+            number("toppling_work_share", &R::toppling_work_share, Dimension::ratio, any_number(),
+                   "share of the work that weight does at the first displacements on columns that turn; parts that "
+                   "rise count for nothing"),
+            number("sliding_work_share", &R::sliding_work_share, Dimension::ratio, any_number(),
+                   "likewise, on what slides on steps"),
+            number("slide_head_work_share", &R::slide_head_work_share, Dimension::ratio, any_number(),
+                   "likewise, on the wedge; all three are 0 if every part rises"),
             number("crest_cracks", &R::crest_cracks, Dimension::ratio, any_number(),
                    "joints behind the crest that open or slip at the ground by a twentieth of the greatest "
                    "displacement or more"),

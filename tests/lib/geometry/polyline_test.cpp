@@ -14,6 +14,7 @@ using delabole::length;
 using delabole::Point;
 using delabole::Polyline;
 using delabole::resample;
+using delabole::rms_distance;
 using delabole::signed_distance;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -190,6 +191,21 @@ TEST(Resample, IsEmptyWhereItHasNoMeaning) {
     EXPECT_TRUE(resample({}, 5).empty());
     EXPECT_TRUE(resample({{1, 1}}, 5).empty());
     EXPECT_TRUE(resample({{1, 1}, {1, 1}}, 5).empty());
+}
+
+TEST(RmsDistance, OfEqualStepsIsTheirDepthOverRootThree) {
+    // The distance from the line through the inner corners rises and falls evenly between 0 and the depth of a step.
+    const Polyline stairs = {{0, 0}, {3, 0}, {3, 4}, {6, 4}, {6, 8}};
+    const double depth = 3.0 * 4 / 5;
+    EXPECT_NEAR(rms_distance(stairs, stairs.front(), stairs.back()), depth / std::sqrt(3), 8 * epsilon);
+    EXPECT_NEAR(rms_distance(reversed(stairs), stairs.front(), stairs.back()), depth / std::sqrt(3), 8 * epsilon);
+}
+
+TEST(RmsDistance, IsZeroOnTheLineAndWhereThereIsNone) {
+    EXPECT_EQ(rms_distance(Polyline{{0, 0}, {1, 0}, {4, 0}}, {0, 0}, {4, 0}), 0);
+    EXPECT_EQ(rms_distance(Polyline{}, {0, 0}, {4, 0}), 0);
+    EXPECT_EQ(rms_distance(Polyline{{2, 3}}, {0, 0}, {4, 0}), 0);
+    EXPECT_EQ(rms_distance(Polyline{{0, 0}, {1, 1}}, {2, 2}, {2, 2}), 0);
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace delabole {
 
@@ -33,15 +35,28 @@ Table crest_table(const PostFailure& failure) {
     return table;
 }
 
+void write_ground(const RelaxationRun& made, const PostFailure& failure, const ResultFolder& folder) {
+    std::vector<std::string> titles{"x_m", "ground_m", "left_standing_m"};
+    const std::vector<Polyline> after = left_standing_after(make_bodies(made.scene), made.stage);
+    for (std::size_t stage = 1; stage <= after.size(); ++stage) {
+        titles.push_back("after_stage_" + std::to_string(stage) + "_m");
+    }
+    CsvTable table(std::move(titles));
+    const auto length = [](double value) { return in_display_unit(value, Dimension::length); };
+    for (std::size_t index = 0; index < failure.ground.size(); ++index) {
+        std::vector<Cell> row{length(failure.ground[index].x()), length(failure.ground[index].y()),
+                              length(failure.left_standing[index].y())};
+        for (const Polyline& ground : after) {
+            row.emplace_back(length(ground[index].y()));
+        }
+        table.add_row(row);
+    }
+    folder.write("left_standing.csv", table.text());
+}
+
 void write_tables(const PostFailure& failure, const ResultFolder& folder) {
     const auto length = [](double value) { return in_display_unit(value, Dimension::length); };
     const auto angle = [](double value) { return in_display_unit(value, Dimension::angle); };
-    CsvTable ground({"x_m", "ground_m", "left_standing_m"});
-    for (std::size_t index = 0; index < failure.ground.size(); ++index) {
-        ground.add_row({length(failure.ground[index].x()), length(failure.ground[index].y()),
-                        length(failure.left_standing[index].y())});
-    }
-    folder.write("left_standing.csv", ground.text());
     CsvTable cracks({"position_m", "joint", "dip_deg", "opening_m"});
     for (const CrestCrack& crack : failure.crack) {
         cracks.add_row(
@@ -73,16 +88,17 @@ std::vector<std::size_t> stages_of_blocks(const RelaxationRun& made) {
 Table stage_table(const RelaxationRun& made) {
     Table table{
         "Masses that failed one after the other, with the shares of their area in blocks that topple out of the "
-        "slope, turn into it, and slide.",
+        "slope, turn into it, and slide, and the share of rotation in their kinetic energy at onset: 25 % where "
+        "rectangles turn about a corner.",
         {"stage"_number, "blocks"_number, "area, m²"_number, "topples, %"_number, "turns back, %"_number,
-         "slides, %"_number}};
+         "slides, %"_number, "energy of rotation, %"_number}};
     const RetrogressionAnswer answer = answer_of(make_bodies(made.scene), made.stage);
     constexpr double percent = 100;
     for (const RetrogressionStage& stage : answer.stage) {
-        table.rows.push_back({std::to_string(table.rows.size() + 1), human_number(stage.blocks, 6),
-                              human_number(stage.area, 4), human_number(percent * stage.toppling_share, 3),
-                              human_number(percent * stage.backward_share, 3),
-                              human_number(percent * stage.sliding_share, 3)});
+        table.rows.push_back(
+            {std::to_string(table.rows.size() + 1), human_number(stage.blocks, 6), human_number(stage.area, 4),
+             human_number(percent * stage.toppling_share, 3), human_number(percent * stage.backward_share, 3),
+             human_number(percent * stage.sliding_share, 3), human_number(percent * stage.rotation_share, 3)});
     }
     return table;
 }
@@ -197,6 +213,7 @@ void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, 
         report.blocks.emplace_back(stage_table(made));
     }
     report.blocks.emplace_back(Folded{"Cracks and blocks at the crest", {crack_table(failure), crest_table(failure)}});
+    write_ground(made, failure, folder);
     write_tables(failure, folder);
 }
 

@@ -126,6 +126,40 @@ TEST_F(Wall, LowerSurfaceIsThatOfItsSteps) {
     // From (0, 0) to the inner end of the third step, (3, 2).
     EXPECT_NEAR(found.answer.lower_angle, std::atan2(2, 3), 0.01);
     EXPECT_GT(found.answer.upper_angle, degrees(80));
+    // From the line through (0, 0) and (3, 2) the corners in between lie, in units of 1 / sqrt(13), at -2, 1, -1 and 2.
+    const auto end_to_end = [](double from, double to) { return (from * from + from * to + to * to) / 3; };
+    const double squares =
+        end_to_end(0, -2) + end_to_end(-2, 1) + end_to_end(1, -1) + end_to_end(-1, 2) + end_to_end(2, 0);
+    // Corners lie a station off.
+    EXPECT_NEAR(found.answer.lower_roughness, std::sqrt(squares / 5 / 13), 2 * station);
+    EXPECT_NEAR(found.answer.upper_roughness, 0, station);
+}
+
+// The upper surface leaves one upright joint for the next, the lower one is a plane.
+TEST_F(Wall, UpperSurfaceOfTwoJointsIsRough) {
+    shift(0, 1, 5, 6, -fallen, -fallen);
+    shift(5, 4, 6, 6, -fallen, -fallen);
+    const PostFailure found = survey();
+    EXPECT_NEAR(found.answer.knee_level, 1, 1e-6);
+    EXPECT_NEAR(found.answer.lower_roughness, 0, station);
+    // From the line through (5, 1) and (6, 6), in units of 1 / sqrt(26): 3 m up to 3, 1 m back to -2, 2 m up to 0.
+    const double squares = 3 * 9.0 / 3 + 1 * (9.0 - 6 + 4) / 3 + 2 * 4.0 / 3;
+    EXPECT_NEAR(found.answer.upper_roughness, std::sqrt(squares / 6 / 26), 2 * station);
+}
+
+// A rectangle that turns about a corner has a quarter of its kinetic energy in rotation; one that slides has none.
+TEST_F(Wall, ToldByEnergyBlocksTurnOrSlide) {
+    shift(0, 5, 1, 6, -0.01, 0);
+    EXPECT_EQ(survey().answer.rotation_share, 0);
+    now = start;
+    const double turn = 1e-4;
+    move(0, 5, 1, 6, [&](std::size_t block) {
+        now[block].set_angle(turn);
+        // The centre lies half a metre behind and above the corner.
+        now[block].x = -turn / 2;
+        now[block].y = turn / 2;
+    });
+    EXPECT_NEAR(survey().answer.rotation_share, 0.25, rounding);
 }
 
 TEST_F(Wall, NamesAndMeasuresCracks) {

@@ -61,11 +61,48 @@ TEST(Retrogression, TakesAwayAWallThatSlidesOnItsBase) {
     EXPECT_EQ(answer.total.blocks, 8);
     EXPECT_NEAR(answer.total.area, area, rounding);
     EXPECT_NEAR(answer.total.sliding_share, 1, rounding);
+    // Blocks of 1 m slide; rotation by their settling on stiff contacts stays below a thousandth of the energy.
+    EXPECT_LT(answer.total.rotation_share, 1e-3);
     double areas = 0;
     for (const RetrogressionStage& stage : answer.stage) {
         areas += stage.area;
     }
     EXPECT_NEAR(areas, area, rounding);
+}
+
+// The wall of eight blocks of 1 m2, whose front upper block fails first by turning about its lower corner and then all
+// others by sliding.
+TEST(Retrogression, TellsTheEnergyAndTheGroundOfEachStage) {
+    const Bodies bodies = make_bodies(relaxation_scene(wall(degrees(30))));
+    FailureStage first{{}, 0, std::vector<Motion>(bodies.size()), std::vector<Motion>(bodies.size())};
+    FailureStage second = first;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] != 0) {
+            continue;
+        }
+        const PlanePoint<>& centre = bodies.centroid[block];
+        const bool turns = centre.x() < 1 && centre.y() > 1;
+        FailureStage& stage = turns ? first : second;
+        stage.block.push_back(block);
+        stage.moved += 1;
+        stage.onset[block].x = -1e-4;
+        if (turns) {
+            stage.onset[block].y = 1e-4;
+            stage.onset[block].set_angle(2e-4);
+        }
+    }
+    const RetrogressionAnswer answer = answer_of(bodies, {first, second});
+    constexpr double rounding = 1e-9;
+    EXPECT_NEAR(answer.first.rotation_share, 0.25, rounding);
+    EXPECT_EQ(answer.largest.rotation_share, 0);
+    EXPECT_NEAR(answer.total.rotation_share, 0.25 / area, rounding);
+    const std::vector<Polyline> after = left_standing_after(bodies, {first, second});
+    ASSERT_EQ(after.size(), 2U);
+    ASSERT_EQ(after[0].size(), after[1].size());
+    for (std::size_t index = 0; index < after[0].size(); ++index) {
+        EXPECT_NEAR(after[0][index].y(), after[0][index].x() < 1 ? 1 : 2, rounding);
+        EXPECT_NEAR(after[1][index].y(), 0, rounding);
+    }
 }
 
 TEST(Retrogression, EndsAfterTheStagesAskedFor) {

@@ -344,6 +344,8 @@ TEST(SteppedPath, ASlidingMassOpensOneCrackAndDoesNotSink) {
     EXPECT_EQ(result.crest_cracks, 1);
     EXPECT_NEAR(result.crest_opening, std::sin(degrees(72.5 + 6)), 1e-12);
     EXPECT_NEAR(result.crest_sinking, -std::sin(degrees(6)), 1e-12);
+    // Weight does no work on a mass that water lifts over steps into the slope.
+    EXPECT_EQ(result.toppling_work_share + result.sliding_work_share + result.slide_head_work_share, 0);
     EXPECT_EQ(result.crest_turning, 0);
 }
 
@@ -353,6 +355,8 @@ TEST(SteppedPath, AWedgeSinksAndColumnsTurnForwards) {
     ASSERT_GT(pushed.slide_head_share, 0);
     EXPECT_NEAR(pushed.upper_angle, degrees(72.5), 1e-9);
     EXPECT_GT(pushed.crest_sinking, 0.3);
+    // Stout columns rise as the wedge turns them or pushes them up their bases, so that weight drives the wedge alone.
+    EXPECT_NEAR(pushed.slide_head_work_share, 1, 1e-12);
     EXPECT_LE(pushed.crest_sinking, std::sin(degrees(72.5)) + 1e-12);
     EXPECT_EQ(pushed.crest_turning, 0);
     SteppedPath thin = west_face(SteppedPathMechanism::toppling);
@@ -361,6 +365,8 @@ TEST(SteppedPath, AWedgeSinksAndColumnsTurnForwards) {
     const SteppedPathResult toppled = analyse(thin);
     ASSERT_EQ(toppled.toppling_share, 1);
     EXPECT_LT(toppled.crest_turning, -0.1);
+    EXPECT_EQ(toppled.toppling_work_share, 1);
+    EXPECT_EQ(toppled.slide_head_work_share, 0);
     EXPECT_GE(toppled.crest_cracks, 2);
     EXPECT_EQ(toppled.extent, PathExtent::greatest);
 }
