@@ -62,8 +62,7 @@ class Corners {
         std::vector<std::size_t> same_face;
         std::vector<std::size_t> other_face;
         for (std::size_t other = of_pair.begin; other < of_pair.end; ++other) {
-            if (law_of(other).alone == 0 ||
-                !(corners_of(blocks_.bodies, law_of(other), list_.contact[other]) == corners)) {
+            if (!is_at(other, corners)) {
                 continue;
             }
             const bool same = parting(list_.contact[other], position_of(other)).dot(bearing) > one_face;
@@ -75,6 +74,21 @@ class Corners {
         for (const std::size_t one : other_face) {
             set_trial(one, InTrial::insists);
         }
+    }
+
+    // Takes both edges away in all contacts of a pair of blocks that have the same two corners.
+    void release(std::size_t index, const ContactRange& of_pair) {
+        const CornerPair corners = corners_of(blocks_.bodies, law_of(index), list_.contact[index]);
+        for (std::size_t other = of_pair.begin; other < of_pair.end; ++other) {
+            if (is_at(other, corners)) {
+                set_trial(other, InTrial::yields);
+            }
+        }
+    }
+
+    // Whether a contact is one of these two corners alone.
+    bool is_at(std::size_t index, const CornerPair& corners) const {
+        return law_of(index).alone != 0 && corners_of(blocks_.bodies, law_of(index), list_.contact[index]) == corners;
     }
 
     void set_trial(std::size_t index, InTrial now) {
@@ -179,6 +193,24 @@ std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& li
         }
     }
     return corners.concerned([&](std::uint32_t block) { return blocks.bodies.fixed[block] != 0; });
+}
+
+std::vector<std::uint32_t> give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight,
+                                               ContactList& list) {
+    Corners corners(blocks, list);
+    for (std::size_t begin = 0, end = 0; begin < list.contact.size(); begin = end) {
+        const BlockPair pair = list.contact.blocks()[begin].pair();
+        while (end < list.contact.size() && list.contact.blocks()[end].pair() == pair) {
+            ++end;
+        }
+        const double least = relied_on * std::min(weight[pair.first], weight[pair.second]);
+        for (std::size_t index = begin; index < end; ++index) {
+            if (!list.memory[index].tried && corners.relied_on(index) > least) {
+                corners.release(index, {begin, end});
+            }
+        }
+    }
+    return corners.concerned([&](std::uint32_t block) { return std::isinf(weight[block]); });
 }
 
 void note_tried(const MemoryArray& in_trial, MemoryArray& memory) {

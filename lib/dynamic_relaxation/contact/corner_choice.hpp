@@ -38,11 +38,13 @@
 // friction: a rigid point carries any load. A real point does not. UDEC rounds corners; a corner with a radius r that
 // stands on another bears on an area of about r, under a stress that no rock withstands where r is small, and corners
 // that have crushed or chipped hold no more than the faces do. Rigid blocks cannot show how close they are to that. So
-// a state counts as equilibrium here only if the faces alone can hold it: forces within the strength of faces that lie
-// on each other, and of corners within edges, which have one normal, have to exist
-// (limit_equilibrium/bound/lp_bound.hpp, `least_imbalance`). A state that needs corners on corners is held by corners,
-// which is neither equilibrium nor failure (RelaxationOutcome). Measured on 200 random jointed slopes: of 95 that come
-// to rest 21 are held by corners, one of them on a plane that dips 53 deg at a friction of 20 deg.
+// a state counts as equilibrium here only if the faces alone hold it. Forces within the strength of faces that lie on
+// each other, and of corners within edges, which have one normal, have to exist (limit_equilibrium/bound/lp_bound.hpp,
+// `least_imbalance`). That they exist is no proof, because the joints do not dilate as they slip: so the blocks have to
+// stay, too, when both edges give way at every corner on a corner, in a trial that ends at rest or past the thresholds
+// of onset. (Columns that topple on a base which ends in the corner of level ground stand by forces up to a factor of
+// 0.940; they fail at 0.772 where the ground is lower, and in this trial.) A state that needs corners on corners is
+// held by corners, which is neither equilibrium nor failure (RelaxationOutcome).
 //
 // Sources: Moreau, J. J. (1988) Unilateral contact and dry friction in finite freedom dynamics, in: Nonsmooth mechanics
 // and applications, CISM 302, 1-82 (virtual work over the cone of possible velocities); Shi, G.-H. (1988) Discontinuous
@@ -85,6 +87,10 @@ std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std
 // Ends a trial in which balance was found and returns the free blocks whose contacts it changed; empty if no trial was
 // under way.
 std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& list);
+// Takes both edges away wherever a corner on a corner carries a force above a thousandth of the weight of the lighter
+// of the two blocks, until the blocks are beside each other. Returns the free blocks concerned, in increasing order.
+std::vector<std::uint32_t> give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight,
+                                               ContactList& list);
 // Records as tried the edges that a successful trial, which began with `memory`, has marked.
 void note_tried(const MemoryArray& in_trial, MemoryArray& memory);
 // Clears these records after a change of loads: all edges have to be tried again.

@@ -98,6 +98,7 @@ class Simulation {
     bool holds_at_rest() const;
     std::vector<double> weights() const;  // N/m, of each block; infinite where it is held
     bool held_by_corners();
+    bool moves_without_corners();
     bool carried_along();
     void let_blocks_rest();
     void take_velocities_away_at_peaks();
@@ -116,6 +117,7 @@ class Simulation {
     std::vector<SharedFace> watched_ = {};       // for the first tension crack
     std::vector<BlockForce> load_ = {};          // of the step
     bool loads_are_final_ = false;               // no further change of loads
+    bool without_corners_ = false;               // a trial in which no corner bears on a corner
     BlockScales scales_ = {};
     std::vector<char> held_ = {};  // fixed at present: fixed blocks, and those held for consolidation
     bool held_for_consolidation_ = false;

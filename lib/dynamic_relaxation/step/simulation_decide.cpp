@@ -106,9 +106,11 @@ std::vector<double> Simulation::weights() const {
 }
 
 bool Simulation::try_corners() {
-    std::vector<std::uint32_t> concerned = end_trial({bodies_, state_.motion}, state_.contacts);
-    if (concerned.empty()) {
-        concerned = try_other_edges({bodies_, state_.motion}, weights(), state_.contacts);
+    const CornerMotion blocks{bodies_, state_.motion};
+    std::vector<std::uint32_t> concerned =
+        without_corners_ ? give_way_at_corners(blocks, weights(), state_.contacts) : end_trial(blocks, state_.contacts);
+    if (concerned.empty() && !without_corners_) {
+        concerned = try_other_edges(blocks, weights(), state_.contacts);
     }
     for (const std::uint32_t block : concerned) {
         state_.checks_at_rest[block] = 0;
@@ -119,10 +121,12 @@ bool Simulation::try_corners() {
 
 // Whether the faces alone cannot hold the blocks in their present positions and under the present loads; records the
 // blocks that would move. After onset only touching contacts count; before it, the faces of the initial geometry do,
-// because a minute rotation opens one end of them or the other. Cases that the linear programme cannot solve count as
-// held by the faces, and so does a belt, whose resistance changes direction with the motion.
+// because a minute rotation opens one end of them or the other. Forces of faces that suffice are no proof, because
+// friction does not dilate as the linear programme supposes: the blocks have to stay when the corners give way, too.
+// Cases that the programme cannot solve are left to that trial, and a belt, whose resistance changes direction with the
+// motion, counts as held by the faces.
 bool Simulation::held_by_corners() {
-    if (settings_.corners_bear || scene_.belt ||
+    if (settings_.corners_bear || scene_.belt || without_corners_ ||
         !relies_on_corners({bodies_, state_.motion}, weights(), state_.contacts)) {
         return false;
     }
@@ -139,7 +143,7 @@ bool Simulation::held_by_corners() {
     add_corners_on_edges(blocks, state_.contacts, made);
     const LeastImbalance found = least_imbalance(made.assembly);
     if (found.status != LpStatus::optimal || found.stands()) {
-        return false;
+        return moves_without_corners();
     }
     constexpr double moves = 1e-3;  // of the greatest displacement
     state_.held_by_corners.assign(bodies_.size(), 0);
@@ -149,6 +153,39 @@ bool Simulation::held_by_corners() {
         if (motion.displacement.norm() + std::abs(motion.rotation) * bodies_.radius[block] > moves) {
             state_.held_by_corners[block] = 1;
         }
+    }
+    return true;
+}
+
+// Whether blocks pass the thresholds of onset, from where they are now, when every corner that bears on a corner gives
+// way; records those that do. Where the trial comes to no end within its limit, the corners count as needed.
+bool Simulation::moves_without_corners() {
+    constexpr std::uint64_t most_contacts = 50'000'000;  // a second or two
+    RelaxationSettings settings = settings_;
+    settings.stop_at_onset = settings.stop_at_equilibrium = settings.stop_at_collapse = true;
+    settings.duration += state_.time;
+    settings.most_steps = std::numeric_limits<std::size_t>::max();
+    RelaxationState state = state_;
+    state.origin = state.motion;
+    state.onset_time = -1;
+    state.in_thresholds_then = 0;
+    forget_tried(state.contacts.memory);
+    Simulation trial(scene_, settings, std::move(state));
+    trial.without_corners_ = true;
+    trial.try_corners();
+    while (trial.running() && trial.state_.contacts_evaluated - state_.contacts_evaluated < most_contacts) {
+        trial.step();
+    }
+    if (trial.outcome() == RelaxationOutcome::equilibrium) {
+        return false;
+    }
+    const MotionExtremes farthest = farthest_motion(bodies_, trial.state_);
+    state_.held_by_corners.assign(bodies_.size(), 0);
+    const std::vector<BlockOutcome> outcomes = trial.block_outcomes();
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        constexpr double moves = 0.1;  // of the greatest displacement
+        const double displacement = outcomes[block].displacement / bodies_.radius[block];
+        state_.held_by_corners[block] = held_[block] == 0 && displacement > moves * farthest.displacement ? 1 : 0;
     }
     return true;
 }

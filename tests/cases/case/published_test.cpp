@@ -55,6 +55,22 @@ TEST(PublishedProblems, QuickOnesHaveTheFactorsThatTheyExpect) {
     }
 }
 
+// The base of RJ-2 ends at the toe: ground drawn level with it meets the sharp tip of the lowest block corner on
+// corner. Forces within the strength of the faces alone exist up to 0.940, but only the corner keeps the blocks from
+// sliding.
+TEST(PublishedProblems, LevelGroundAtTheToeHoldsNothing) {
+    const CaseFile file = published_case("rj_2");
+    RelaxationStudy study = std::get<RelaxationStudy>(file.model);
+    std::vector<SectionPoint>& outline = std::get<RelaxationSlope>(study.model.scene).geometry.outline;
+    ASSERT_EQ(std::erase_if(outline, [](const SectionPoint& point) { return point.x == 0 && point.y < 0; }), 1U);
+    outline.back().y = 0;
+    const CriticalAnswer answer = find_critical(study);
+    ASSERT_EQ(answer.status, CriticalStatus::found);
+    const Expectation& expected = file.expectations.front();
+    EXPECT_NEAR(answer.value(), std::get<double>(expected.value), std::get<double>(*expected.tolerance));
+    EXPECT_TRUE(answer.held_by_corners);
+}
+
 // The value found, in the drawing's own frame.
 struct Redrawn {
     std::string name;

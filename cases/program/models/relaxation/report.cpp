@@ -210,7 +210,7 @@ bool is_small_enough(const RelaxationScene& scene) {
 }
 
 constexpr std::string_view corners_hold =
-    "only because corners bear on corners; the forces that faces can take do not suffice for an equilibrium. Corners "
+    "only because corners bear on corners: faces alone do not hold them. Corners "
     "of rock crush or chip: this is no evidence that the slope stands. Where a joint ends in a corner of other blocks, "
     "as at the toe of a slope with level ground in front of it, blocks cannot slide out: lower that ground a little to "
     "see them move, or set settings.corners_bear = \"on\" to count on corners";
