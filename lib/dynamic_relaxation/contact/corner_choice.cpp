@@ -195,9 +195,9 @@ std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& li
     return corners.concerned([&](std::uint32_t block) { return blocks.bodies.fixed[block] != 0; });
 }
 
-std::vector<std::uint32_t> give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight,
-                                               ContactList& list) {
+bool give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight, ContactList& list) {
     Corners corners(blocks, list);
+    bool any = false;
     for (std::size_t begin = 0, end = 0; begin < list.contact.size(); begin = end) {
         const BlockPair pair = list.contact.blocks()[begin].pair();
         while (end < list.contact.size() && list.contact.blocks()[end].pair() == pair) {
@@ -205,12 +205,13 @@ std::vector<std::uint32_t> give_way_at_corners(const CornerMotion& blocks, const
         }
         const double least = relied_on * std::min(weight[pair.first], weight[pair.second]);
         for (std::size_t index = begin; index < end; ++index) {
-            if (!list.memory[index].tried && corners.relied_on(index) > least) {
+            if (corners.relied_on(index) > least) {
                 corners.release(index, {begin, end});
+                any = true;
             }
         }
     }
-    return corners.concerned([&](std::uint32_t block) { return std::isinf(weight[block]); });
+    return any;
 }
 
 void note_tried(const MemoryArray& in_trial, MemoryArray& memory) {

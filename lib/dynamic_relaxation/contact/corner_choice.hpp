@@ -88,9 +88,8 @@ std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std
 // under way.
 std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& list);
 // Takes both edges away wherever a corner on a corner carries a force above a thousandth of the weight of the lighter
-// of the two blocks, until the blocks are beside each other. Returns the free blocks concerned, in increasing order.
-std::vector<std::uint32_t> give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight,
-                                               ContactList& list);
+// of the two blocks, until they are beside each other. Returns whether there was any.
+bool give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight, ContactList& list);
 // Records as tried the edges that a successful trial, which began with `memory`, has marked.
 void note_tried(const MemoryArray& in_trial, MemoryArray& memory);
 // Clears these records after a change of loads: all edges have to be tried again.

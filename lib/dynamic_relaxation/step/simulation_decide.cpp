@@ -106,11 +106,12 @@ std::vector<double> Simulation::weights() const {
 }
 
 bool Simulation::try_corners() {
-    const CornerMotion blocks{bodies_, state_.motion};
-    std::vector<std::uint32_t> concerned =
-        without_corners_ ? give_way_at_corners(blocks, weights(), state_.contacts) : end_trial(blocks, state_.contacts);
-    if (concerned.empty() && !without_corners_) {
-        concerned = try_other_edges(blocks, weights(), state_.contacts);
+    if (without_corners_) {
+        return false;
+    }
+    std::vector<std::uint32_t> concerned = end_trial({bodies_, state_.motion}, state_.contacts);
+    if (concerned.empty()) {
+        concerned = try_other_edges({bodies_, state_.motion}, weights(), state_.contacts);
     }
     for (const std::uint32_t block : concerned) {
         state_.checks_at_rest[block] = 0;
@@ -157,35 +158,46 @@ bool Simulation::held_by_corners() {
     return true;
 }
 
-// Whether blocks pass the thresholds of onset, from where they are now, when every corner that bears on a corner gives
-// way; records those that do. Where the trial comes to no end within its limit, the corners count as needed.
+// Whether blocks move on when every corner that bears on a corner gives way, and those that bear next, too; records
+// the blocks that do. A trial that comes to no end within its limits tells nothing unless blocks are well on their way.
 bool Simulation::moves_without_corners() {
-    constexpr std::uint64_t most_contacts = 50'000'000;  // a second or two
+    constexpr int most_rounds = 8;
+    constexpr std::uint64_t most_contacts = 50'000'000;  // evaluated in a round: a second or two
+    constexpr double well_on_their_way = 0.1;            // of the thresholds of onset
     RelaxationSettings settings = settings_;
     settings.stop_at_onset = settings.stop_at_equilibrium = settings.stop_at_collapse = true;
     settings.duration += state_.time;
     settings.most_steps = std::numeric_limits<std::size_t>::max();
-    RelaxationState state = state_;
-    state.origin = state.motion;
-    state.onset_time = -1;
-    state.in_thresholds_then = 0;
-    forget_tried(state.contacts.memory);
-    Simulation trial(scene_, settings, std::move(state));
-    trial.without_corners_ = true;
-    trial.try_corners();
-    while (trial.running() && trial.state_.contacts_evaluated - state_.contacts_evaluated < most_contacts) {
-        trial.step();
+    ConsolidatedState from{state_};
+    for (int round = 0; round < most_rounds; ++round) {
+        if (!give_way_at_corners({bodies_, from.at_rest.motion}, weights(), from.at_rest.contacts)) {
+            return false;
+        }
+        Simulation trial(scene_, settings, from);
+        trial.without_corners_ = true;
+        while (trial.running() && trial.state_.contacts_evaluated < most_contacts) {
+            trial.step();
+        }
+        from.at_rest = std::move(trial.state_);
+        if (trial.outcome() != RelaxationOutcome::equilibrium) {
+            from.at_rest.origin = state_.motion;
+            break;
+        }
     }
-    if (trial.outcome() == RelaxationOutcome::equilibrium) {
+    const auto outcome = static_cast<RelaxationOutcome>(from.at_rest.outcome);
+    const MotionExtremes farthest = farthest_motion(bodies_, from.at_rest);
+    const double in_thresholds =
+        std::max(farthest.rotation / settings_.onset_rotation, farthest.displacement / settings_.onset_slide);
+    if (outcome == RelaxationOutcome::equilibrium || in_thresholds < well_on_their_way) {
         return false;
     }
-    const MotionExtremes farthest = farthest_motion(bodies_, trial.state_);
+    constexpr double moves = 0.1;  // of the greatest displacement
     state_.held_by_corners.assign(bodies_.size(), 0);
-    const std::vector<BlockOutcome> outcomes = trial.block_outcomes();
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        constexpr double moves = 0.1;  // of the greatest displacement
-        const double displacement = outcomes[block].displacement / bodies_.radius[block];
-        state_.held_by_corners[block] = held_[block] == 0 && displacement > moves * farthest.displacement ? 1 : 0;
+        const Motion& now = from.at_rest.motion[block];
+        const PlanePoint<> way(now.x - state_.motion[block].x, now.y - state_.motion[block].y);
+        state_.held_by_corners[block] =
+            held_[block] == 0 && way.norm() > moves * farthest.displacement * bodies_.radius[block] ? 1 : 0;
     }
     return true;
 }
