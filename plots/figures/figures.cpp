@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -219,8 +220,10 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
     bars.resize(std::min(bars.size(), most_bars));
 
     Figure figure{.title = std::string(title), .x = {.title = "change of the factor of safety"}};
-    Boxes raising{.legend = "makes it safer", .colour = Colour::blue};
-    Boxes lowering{.legend = "makes it less safe", .colour = Colour::vermilion};
+    std::array<Boxes, 4> kinds{{{.legend = "makes it safer", .colour = Colour::blue},
+                                {.legend = "makes it less safe", .colour = Colour::vermilion},
+                                {.colour = Colour::sky},
+                                {.colour = Colour::orange}}};
     Extent range;
     range.include(0);
     for (const SensitivityBar& bar : bars) {
@@ -231,9 +234,8 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
         const SensitivityBar& bar = bars[index];
         const double position = static_cast<double>(bars.size() - index);
         const bool lowers = bar.effect < 0;
-        (lowers ? lowering : raising)
-            .boxes.push_back(
-                {{std::min(0.0, bar.effect), position - 0.32}, {std::max(0.0, bar.effect), position + 0.32}});
+        kinds[(bar.pale ? 2 : 0) + (lowers ? 1 : 0)].boxes.push_back(
+            {{std::min(0.0, bar.effect), position - 0.32}, {std::max(0.0, bar.effect), position + 0.32}});
         figure.y.ticks.emplace_back(position, wrapped(human_name(bar.name) + ", " + unbroken(bar.change), 22));
         figure.labels.push_back(
             {.at = {bar.effect + (lowers ? -gap : gap), position},
@@ -241,8 +243,9 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
              .align = lowers ? Label::Align::right : Label::Align::left,
              .boxed = false});
     }
-    figure.series.emplace_back(std::move(raising));
-    figure.series.emplace_back(std::move(lowering));
+    std::ranges::copy_if(kinds, std::back_inserter(figure.series), [](const Boxes& kind) {
+        return !kind.boxes.empty() || !kind.legend.empty();  // the legend is the same with every set of bars
+    });
     set_rows(figure, bars.size(), 130, 74);
     if (!bars.empty()) {
         figure.series.emplace_back(Line{.points = {{0, 0.4}, {0, figure.y.range->second}}, .width = 1.5});

@@ -5,6 +5,7 @@
 #include "cases/program/models/stepped_base/bound.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/units.hpp"
+#include "cases/program/reports/sensitivity_step.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/inputs_report.hpp"
@@ -147,7 +148,7 @@ ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     json["provenance"] = source;
 
     Report own;
-    append_case_figures(file.model, answer, folder, own);
+    append_case_figures(file.model, answer, folder, own, deviations_of(file));
     HeadCard head = head_card(file.model, answer);
     take_picture(own.blocks, head);
     if (support) {

@@ -215,9 +215,18 @@ HeadCard head_card(const CaseModel& model, const CaseAnswer& answer) {
     return std::visit([&](const auto& study) { return head_card(study, own_answer(study, answer)); }, model);
 }
 
-void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report) {
-    std::visit([&](const auto& study) { append_case_figures(study, own_answer(study, answer), folder, report); },
-               model);
+void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report,
+                         const InputDeviations& known) {
+    std::visit(
+        [&](const auto& study) {
+            const auto& own = own_answer(study, answer);
+            if constexpr (requires { append_case_figures(study, own, folder, report, known); }) {
+                append_case_figures(study, own, folder, report, known);
+            } else {
+                append_case_figures(study, own, folder, report);
+            }
+        },
+        model);
 }
 
 Analysis analyse_model(const CaseModel& model, const AnalysisWork& work) {

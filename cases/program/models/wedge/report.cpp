@@ -1,5 +1,6 @@
 // Wedge failure: answers, warnings and figures for reports.
 #include "cases/program/models/wedge/figures.hpp"
+#include "cases/program/reports/sensitivity_step.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
@@ -24,7 +25,7 @@ void warn(Analysis& analysis, const WedgeFailureResult& result) {
 }
 
 void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& result, const std::string& prefix,
-                     const ResultFolder& folder, Report& report) {
+                     const InputDeviations& known, const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(folder.draw(
         wedge_figure(wedge_drawing(problem, "The wedge in the slope")), prefix + "wedge",
         "The wedge, to scale, seen from above and from in front of the face; 1 and 2 mark the traces of the planes."));
@@ -40,9 +41,9 @@ void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& re
             factor_of_safety_against_water(*curve), prefix + "water",
             "Factor of safety against the greatest water pressure over that of fissures filled to the ground."));
     }
-    report.blocks.emplace_back(folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem)),
-                                           prefix + "sensitivity",
-                                           "Each input changed by itself, by the step that stands beside it."));
+    report.blocks.emplace_back(folder.draw(
+        tornado_figure("Change of the factor of safety", sensitivity_bars(problem, known)), prefix + "sensitivity",
+        "Each input changed by itself, by the step that stands beside it." + deviations_in_words(known)));
 }
 
 }  // namespace
@@ -97,15 +98,15 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
 }
 
 void append_case_figures(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
-                         Report& report) {
-    append_drawings(study.model, answer.result, "", folder, report);
+                         Report& report, const InputDeviations& known) {
+    append_drawings(study.model, answer.result, "", known, folder, report);
 }
 
 void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem&,
                               const ResultFolder& folder, Report& report) {
     const WedgeFailureResult result = analyse(at_best.model);
     if (result.check == WedgeFailureCheck::valid) {
-        append_drawings(at_best.model, result, fit.name + "_", folder, report);
+        append_drawings(at_best.model, result, fit.name + "_", deviations_of(fit.parameters), folder, report);
     }
 }
 
