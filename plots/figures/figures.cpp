@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -222,8 +221,8 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
     Figure figure{.title = std::string(title), .x = {.title = "change of the factor of safety"}};
     std::array<Boxes, 4> kinds{{{.legend = "makes it safer", .colour = Colour::blue},
                                 {.legend = "makes it less safe", .colour = Colour::vermilion},
-                                {.colour = Colour::sky},
-                                {.colour = Colour::orange}}};
+                                {.colour = Colour::pale_blue},
+                                {.colour = Colour::pale_vermilion}}};
     Extent range;
     range.include(0);
     for (const SensitivityBar& bar : bars) {
@@ -243,9 +242,12 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
              .align = lowers ? Label::Align::right : Label::Align::left,
              .boxed = false});
     }
-    std::ranges::copy_if(kinds, std::back_inserter(figure.series), [](const Boxes& kind) {
-        return !kind.boxes.empty() || !kind.legend.empty();  // the legend is the same with every set of bars
-    });
+    for (const std::size_t kind : {0U, 1U}) {
+        if (kinds[kind].boxes.empty()) {
+            std::swap(kinds[kind].legend, kinds[kind + 2].legend);
+        }
+    }
+    figure.series.insert(figure.series.end(), kinds.begin(), kinds.end());
     set_rows(figure, bars.size(), 130, 74);
     if (!bars.empty()) {
         figure.series.emplace_back(Line{.points = {{0, 0.4}, {0, figure.y.range->second}}, .width = 1.5});

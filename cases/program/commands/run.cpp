@@ -16,7 +16,6 @@
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
 #include "plots/drawing/atomic_file.hpp"
-#include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -6,8 +6,14 @@
 
 namespace delabole {
 
-SensitivityStep sensitivity_step(Dimension dimension, double value, double slope_height, double overburden) {
-    const auto step = [&](double size) { return SensitivityStep{size, "+" + value_in_words(size, dimension), true}; };
+SensitivityStep sensitivity_step(const std::string& input, const InputDeviations& known, Dimension dimension,
+                                 double value, double slope_height, double overburden) {
+    const auto step = [&](double size, bool by_rule = true) {
+        return SensitivityStep{size, "+" + value_in_words(size, dimension), by_rule};
+    };
+    if (const auto deviation = known.find(input); deviation != known.end()) {
+        return step(deviation->second, false);
+    }
     switch (dimension) {
     case Dimension::angle:
         return step(degrees(1));
@@ -20,15 +26,6 @@ SensitivityStep sensitivity_step(Dimension dimension, double value, double slope
     default:
         return {0.02 * std::abs(value), "+2 %", true};
     }
-}
-
-SensitivityStep sensitivity_step(const std::string& input, const InputDeviations& known, Dimension dimension,
-                                 double value, double slope_height, double overburden) {
-    const auto deviation = known.find(input);
-    if (deviation == known.end()) {
-        return sensitivity_step(dimension, value, slope_height, overburden);
-    }
-    return {deviation->second, "+" + value_in_words(deviation->second, dimension), false};
 }
 
 InputDeviations deviations_of(const std::vector<FreeParameter>& fitted) {

@@ -16,12 +16,9 @@ struct SensitivityStep {
     bool by_rule;  // not a standard deviation
 };
 
-// 1 deg for an angle, 0.05 for a ratio, 2 % of the slope height for a length, 2 % of the overburden for a stress, 2 %
-// of the value for anything else. Lengths and stresses are compared with the slope, because a percentage of an
-// elevation, or of a cohesion of zero, has no meaning.
-SensitivityStep sensitivity_step(Dimension dimension, double value, double slope_height, double overburden);
-
-// The standard deviation of the input if it is known; otherwise the step above.
+// The standard deviation of the input if it is known. Otherwise 1 deg for an angle, 0.05 for a ratio, 2 % of the slope
+// height for a length, 2 % of the overburden for a stress, 2 % of the value for anything else. Lengths and stresses are
+// compared with the slope, because a percentage of an elevation, or of a cohesion of zero, has no meaning.
 SensitivityStep sensitivity_step(const std::string& input, const InputDeviations& known, Dimension dimension,
                                  double value, double slope_height, double overburden);
 

@@ -49,14 +49,14 @@ TEST(SensitivityStep, IsTheDeviationThatTheCaseGives) {
     EXPECT_TRUE(has_bar(drawn, "+3\u00a0deg") || has_bar(drawn, "+2.99")) << drawn.figure.y.ticks[0].second;
     EXPECT_FALSE(has_bar(drawn, "support[1].spacing") || has_bar(drawn, "spacing,")) << "it is chosen";
     EXPECT_EQ(bars_in(drawn, Colour::blue), 2U);  // friction angle and cohesion
-    EXPECT_GT(bars_in(drawn, Colour::sky) + bars_in(drawn, Colour::orange), 2U);
+    EXPECT_GT(bars_in(drawn, Colour::pale_blue) + bars_in(drawn, Colour::pale_vermilion), 2U);
     EXPECT_NE(drawn.caption.find("pale ones"), std::string::npos);
 }
 
 TEST(SensitivityStep, IsTheUsualOneForACaseThatGivesNone) {
     const Drawn drawn = tornado_of("starting/plane_failure.toml");
     EXPECT_TRUE(has_bar(drawn, "+1\u00a0deg"));
-    EXPECT_EQ(bars_in(drawn, Colour::sky) + bars_in(drawn, Colour::orange), 0U);
+    EXPECT_EQ(bars_in(drawn, Colour::pale_blue) + bars_in(drawn, Colour::pale_vermilion), 0U);
     EXPECT_EQ(drawn.caption.find("pale"), std::string::npos);
 }
 

@@ -80,7 +80,7 @@ std::string required_in_words(const PlaneFailure<>& problem, const RequiredValue
                    "bolts at " + value_in_words(problem.bolt[index].plunge, Dimension::angle) + ".";
         }
     }
-    return required_in_words(request.parameter, request.factor_of_safety, required);
+    return required_in_words(request, required);
 }
 
 std::string outcome_in_words(PlaneFailureOutcome outcome) {
@@ -205,7 +205,8 @@ void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAns
     report.blocks.emplace_back(folder.draw(
         tornado_figure("Change of the factor of safety", sensitivity_bars(problem, derivatives, known)), "sensitivity",
         "Each input changed by itself, by the step that stands beside it; to first order, from exact derivatives. The "
-        "eight greatest." + deviations_in_words(known)));
+        "eight greatest." +
+            deviations_in_words(known)));
     report.blocks.emplace_back(sensitivity_table(derivatives, csv));
     folder.write("sensitivities.csv", csv.text());
 }

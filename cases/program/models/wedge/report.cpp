@@ -37,6 +37,7 @@ void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& re
     report.blocks.emplace_back(folder.draw(wedge_net_figure(wedge_net(problem, result)), prefix + "stereonet",
                                            "The planes as great circles, and the line along which they meet."));
     if (const auto curve = filled_ratio_curve(problem)) {
+        report.blocks.emplace_back(Heading{"Water"});
         report.blocks.emplace_back(folder.draw(
             factor_of_safety_against_water(*curve), prefix + "water",
             "Factor of safety against the greatest water pressure over that of fissures filled to the ground."));
@@ -82,14 +83,8 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
         head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) + (stands ? ": stands" : ": slides") +
                                  " on " + human_name(word_of(result.contact)) + ".");
     }
-    for (std::size_t index = 0; index < study.required.size(); ++index) {
-        if (answer.required[index].status == RequiredStatus::found) {
-            head.sentences.push_back("FS " + number_in_words(study.required[index].factor_of_safety) + " takes " +
-                                     human_name(study.required[index].parameter) + " of " +
-                                     value_in_words(answer.required[index].value, answer.required[index].dimension) +
-                                     ".");
-            break;
-        }
+    if (!study.required.empty()) {
+        head.sentences.push_back(required_in_words(study.required.front(), answer.required.front()));
     }
     head.sentences.push_back(value_in_words(result.weight, Dimension::force) + " of rock on a line that plunges " +
                              value_in_words(result.line_plunge, Dimension::angle) + " towards " +
