@@ -127,7 +127,6 @@ struct RelaxationRow {
     RelaxationJoint base;
     std::optional<RelaxationScatter> scatter;
     std::vector<RelaxationRowBlock> block;
-
     static constexpr std::string_view kind = "row";
     static constexpr auto fields() {
         using R = RelaxationRow;
@@ -149,7 +148,6 @@ struct RelaxationColumns {
     RelaxationJoint base;
     std::optional<RelaxationScatter> scatter;
     std::vector<RelaxationColumn> block;
-
     static constexpr std::string_view kind = "stepped_base";
     static constexpr auto fields() {
         using C = RelaxationColumns;
