@@ -24,7 +24,21 @@ namespace delabole {
 
 // Colours in an order in which readers with any common colour-vision deficiency can distinguish them (Okabe & Ito
 // 2008).
-enum class Colour { black, blue, vermilion, green, orange, purple, sky, grey, light_grey, rock, white };
+enum class Colour {
+    black,
+    blue,
+    vermilion,
+    green,
+    orange,
+    purple,
+    sky,
+    grey,
+    light_grey,
+    rock,
+    white,
+    pale_blue,
+    pale_vermilion
+};
 
 enum class Dash { solid, dashed, dotted };
 

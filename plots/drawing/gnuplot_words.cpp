@@ -6,7 +6,6 @@
 
 #include "parameters/fields.hpp"
 
-#include <array>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -14,9 +13,9 @@
 namespace delabole {
 
 std::string_view rgb(Colour colour) {
-    static constexpr auto codes =
-        std::to_array<std::string_view>({"'#000000'", "'#0072B2'", "'#D55E00'", "'#009E73'", "'#E69F00'", "'#CC79A7'",
-                                         "'#56B4E9'", "'#666666'", "'#BDBDBD'", "'#C8B99A'", "'#FFFFFF'"});
+    static constexpr auto codes = std::to_array<std::string_view>(
+        {"'#000000'", "'#0072B2'", "'#D55E00'", "'#009E73'", "'#E69F00'", "'#CC79A7'", "'#56B4E9'", "'#666666'",
+         "'#BDBDBD'", "'#C8B99A'", "'#FFFFFF'", "'#A6CBE3'", "'#F0BE9B'"});
     static_assert(codes.size() == enum_names(Colour{}).size());
     return codes[static_cast<std::size_t>(colour)];
 }

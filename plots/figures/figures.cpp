@@ -219,8 +219,10 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
     bars.resize(std::min(bars.size(), most_bars));
 
     Figure figure{.title = std::string(title), .x = {.title = "change of the factor of safety"}};
-    Boxes raising{.legend = "makes it safer", .colour = Colour::blue};
-    Boxes lowering{.legend = "makes it less safe", .colour = Colour::vermilion};
+    std::array<Boxes, 4> kinds{{{.legend = "makes it safer", .colour = Colour::blue},
+                                {.legend = "makes it less safe", .colour = Colour::vermilion},
+                                {.colour = Colour::pale_blue},
+                                {.colour = Colour::pale_vermilion}}};
     Extent range;
     range.include(0);
     for (const SensitivityBar& bar : bars) {
@@ -231,9 +233,8 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
         const SensitivityBar& bar = bars[index];
         const double position = static_cast<double>(bars.size() - index);
         const bool lowers = bar.effect < 0;
-        (lowers ? lowering : raising)
-            .boxes.push_back(
-                {{std::min(0.0, bar.effect), position - 0.32}, {std::max(0.0, bar.effect), position + 0.32}});
+        kinds[(bar.pale ? 2 : 0) + (lowers ? 1 : 0)].boxes.push_back(
+            {{std::min(0.0, bar.effect), position - 0.32}, {std::max(0.0, bar.effect), position + 0.32}});
         figure.y.ticks.emplace_back(position, wrapped(human_name(bar.name) + ", " + unbroken(bar.change), 22));
         figure.labels.push_back(
             {.at = {bar.effect + (lowers ? -gap : gap), position},
@@ -241,8 +242,12 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
              .align = lowers ? Label::Align::right : Label::Align::left,
              .boxed = false});
     }
-    figure.series.emplace_back(std::move(raising));
-    figure.series.emplace_back(std::move(lowering));
+    for (const std::size_t kind : {0U, 1U}) {
+        if (kinds[kind].boxes.empty()) {
+            std::swap(kinds[kind].legend, kinds[kind + 2].legend);
+        }
+    }
+    figure.series.insert(figure.series.end(), kinds.begin(), kinds.end());
     set_rows(figure, bars.size(), 130, 74);
     if (!bars.empty()) {
         figure.series.emplace_back(Line{.points = {{0, 0.4}, {0, figure.y.range->second}}, .width = 1.5});

@@ -125,6 +125,7 @@ struct SensitivityBar {
     std::string name = {};    // of the input
     std::string change = {};  // the change of the input: "+1 deg"
     double effect;            // signed change of the factor of safety
+    bool pale = false;
 };
 
 // The eight longest bars, the longest on top. Bars without a finite effect are left out.

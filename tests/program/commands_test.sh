@@ -71,7 +71,18 @@ expect_output 'Probability of failure'
 delabole init block_row --out row.toml
 delabole run row.toml --set support='[{ rows = 2 }]'
 expect_status 3
-expect_error 'support: is not a key of a case of this model; it belongs to plane_failure and stepped_base'
+expect_error 'support: is not a key of a case of this model; it belongs to plane_failure, stepped_base and relaxation'
+bar="plunge = '10 deg'\nlength = '8 m'\nspacing = '2 m'\naxial_stiffness = '100 MN'\ncapacity = '200 kN'\n"
+delabole init jointed_slope --out unbolted.toml
+sed -i '/^\[critical\]/,$d' unbolted.toml
+{ cat unbolted.toml; printf "[settings]\nduration = '0.02 s'\n[[support]]\nrows = 1\nlowest_height = '6 m'\nrow_spacing = '2 m'\n$bar"; } >row_of_one.toml
+{ cat unbolted.toml; printf "[settings]\nduration = '0.02 s'\n[[bolt]]\nhead_x = '3 m'\nhead_y = '6 m'\n$bar"; } >single_bolt.toml
+delabole run row_of_one.toml single_bolt.toml --no-report
+expect_output 'Bolt 1 pulls most at the end'
+expect "a row of one is the same as the single bolt" cmp results/row_of_one/results.csv results/single_bolt/results.csv
+{ cat row_of_one.toml; printf '[support_design]\nfactor_of_safety = 1.2\ncost_per_bolt = 150\ncost_per_metre = 40\nchoose = [{ input = "support[1].rows", from = 1, to = 2, points = 2 }]\n'; } >designed_blocks.toml
+delabole check designed_blocks.toml
+expect_error 'support_design: belongs to plane_failure and stepped_base'
 { "$program" init jointed_slope; printf '\n[controls]\nwatch = "4 s"\n'; } >controls.toml
 delabole check controls.toml
 expect_error 'controls: is not a key of a case of this model (did you mean settings.watch?)'

@@ -7,6 +7,11 @@ namespace delabole {
 namespace {
 
 void check_support_design(Reading& reading, const SupportDesign& design, const CaseModel& model) {
+    if (std::holds_alternative<RelaxationStudy>(model)) {
+        reading.complain_at("support_design",
+                            "belongs to plane_failure and stepped_base: blocks in motion take too long");
+        return;
+    }
     if (find_quantity(named_inputs(model), "support[1].rows") == nullptr) {
         reading.complain_at("support_design", "has nothing to choose: the model has no [[support]]");
     }

@@ -9,7 +9,6 @@
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
 #include "fitting/back_analysis/back_analysis.hpp"
-#include "fitting/back_analysis/check_problem.hpp"
 #include "fitting/studies/candidate_draws.hpp"
 #include "fitting/work/words.hpp"
 

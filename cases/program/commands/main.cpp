@@ -27,7 +27,6 @@
 #include <iostream>
 #include <string>
 #include <thread>
-#include <type_traits>
 #include <utility>
 
 namespace {

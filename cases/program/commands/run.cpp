@@ -5,6 +5,7 @@
 #include "cases/program/models/stepped_base/bound.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/units.hpp"
+#include "cases/program/reports/sensitivity_step.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/inputs_report.hpp"
@@ -15,7 +16,6 @@
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
 #include "plots/drawing/atomic_file.hpp"
-#include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -147,7 +147,7 @@ ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     json["provenance"] = source;
 
     Report own;
-    append_case_figures(file.model, answer, folder, own);
+    append_case_figures(file.model, answer, folder, own, deviations_of(file));
     HeadCard head = head_card(file.model, answer);
     take_picture(own.blocks, head);
     if (support) {

@@ -271,7 +271,7 @@ void add_handles(const RelaxationStudy& study, const std::vector<Quantity>& inpu
         const Point head(bolt.head_x, bolt.head_y);
         add(handles, "head of " + key, {key + ".head_x", key + ".head_y"}, head);
         add(handles, "end of " + key, {key + ".length", key + ".plunge"},
-            head + bolt.length * Point(std::cos(bolt.plunge), -std::sin(bolt.plunge)));
+            head + bolt.bar.length * Point(std::cos(bolt.bar.plunge), -std::sin(bolt.bar.plunge)));
     }
 }
 

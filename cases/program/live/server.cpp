@@ -5,7 +5,6 @@
 
 #include <httplib.h>
 
-#include <array>
 #include <chrono>
 #include <future>
 #include <iostream>

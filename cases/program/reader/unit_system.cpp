@@ -2,7 +2,6 @@
 
 #include <udunits2.h>
 
-#include <array>
 #include <clocale>
 #include <cmath>
 #include <memory>

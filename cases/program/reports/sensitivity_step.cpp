@@ -2,13 +2,18 @@
 
 #include "fitting/work/words.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace delabole {
 
-SensitivityStep sensitivity_step(Dimension dimension, double value, double slope_height, double overburden) {
-    const auto step = [&](double size) { return SensitivityStep{size, "+" + value_in_words(size, dimension)}; };
+SensitivityStep sensitivity_step(const std::string& input, const InputDeviations& known, Dimension dimension,
+                                 double value, double slope_height, double overburden) {
+    const auto step = [&](double size, bool by_rule = true) {
+        return SensitivityStep{size, "+" + value_in_words(size, dimension), by_rule};
+    };
+    if (const auto deviation = known.find(input); deviation != known.end()) {
+        return step(deviation->second, false);
+    }
     switch (dimension) {
     case Dimension::angle:
         return step(degrees(1));
@@ -19,18 +24,44 @@ SensitivityStep sensitivity_step(Dimension dimension, double value, double slope
     case Dimension::stress:
         return step(0.02 * overburden);
     default:
-        return {0.02 * std::abs(value), "+2 %"};
+        return {0.02 * std::abs(value), "+2 %", true};
     }
 }
 
-SensitivityStep sensitivity_step(std::string_view input, const std::vector<FreeParameter>& fitted, Dimension dimension,
-                                 double value, double slope_height, double overburden) {
-    const auto known = std::ranges::find(fitted, input, &FreeParameter::name);
-    if (known == fitted.end() || !known->prior) {
-        return sensitivity_step(dimension, value, slope_height, overburden);
+InputDeviations deviations_of(const std::vector<FreeParameter>& fitted) {
+    InputDeviations known;
+    for (const FreeParameter& parameter : fitted) {
+        if (parameter.prior) {
+            known[parameter.name] = parameter.prior->standard_deviation;
+        }
     }
-    const double spread = known->prior->standard_deviation;
-    return {spread, "+" + value_in_words(spread, dimension)};
+    return known;
+}
+
+InputDeviations deviations_of(const CaseFile& file) {
+    InputDeviations known;
+    for (const FitMechanism& mechanism : file.fit ? file.fit->mechanisms : std::vector<FitMechanism>{}) {
+        known.merge(deviations_of(mechanism.parameters));
+    }
+    if (file.sensitivity) {
+        for (const UncertainParameter& parameter : file.sensitivity->parameters) {
+            if (check(parameter.distribution).empty()) {
+                known[parameter.name] = Marginal(parameter.distribution).standard_deviation();
+            }
+        }
+    }
+    if (file.support_design) {
+        for (const SupportChoice& choice : file.support_design->choices) {
+            known[choice.input] = 0;
+        }
+    }
+    return known;
+}
+
+std::string deviations_in_words(const InputDeviations& known) {
+    return known.empty()
+               ? ""
+               : " Full colours: by one standard deviation, as the case gives it; pale ones: by a usual step.";
 }
 
 }  // namespace delabole

@@ -2,7 +2,6 @@
 
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
-#include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -153,12 +152,23 @@ void append_support(Analysis& analysis, const std::vector<std::vector<BoltRow>>&
     }
 }
 
-std::string required_in_words(const std::string& parameter, double target, const Required& required) {
-    const std::string factor = "FS " + number_in_words(target);
+std::string required_in_words(const RequiredValue<>& request, const Required& required) {
+    const std::string factor = "FS " + number_in_words(request.factor_of_safety);
+    // "bolt[1].force" is the force of bolt 1, "strength.cohesion" the cohesion.
+    const auto spoken = [](const std::string& name) {
+        const std::size_t bracket = name.find('[');
+        const std::string one = "the " + human_name(name.substr(name.rfind('.') + 1));
+        return bracket == std::string::npos ? one
+                                            : one + " of " + human_name(name.substr(0, bracket)) + " " +
+                                                  name.substr(bracket + 1, name.find(']') - bracket - 1);
+    };
+    std::vector<std::string> inputs{spoken(request.parameter)};
+    std::ranges::transform(request.also, std::back_inserter(inputs), spoken);
+    const std::string parameter = list_in_words(inputs);
     switch (required.status) {
     case RequiredStatus::found:
     case RequiredStatus::several:
-        return factor + " takes " + parameter + " = " + value_in_words(required.value, required.dimension) + ".";
+        return factor + " takes " + value_in_words(required.value, required.dimension) + " as " + parameter + ".";
     case RequiredStatus::never_reached:
         return "No value of " + parameter + " gives " + factor + ".";
     case RequiredStatus::always_exceeded:
@@ -215,9 +225,20 @@ HeadCard head_card(const CaseModel& model, const CaseAnswer& answer) {
     return std::visit([&](const auto& study) { return head_card(study, own_answer(study, answer)); }, model);
 }
 
-void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report) {
-    std::visit([&](const auto& study) { append_case_figures(study, own_answer(study, answer), folder, report); },
-               model);
+void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report,
+                         const InputDeviations& known) {
+    std::visit(
+        [&](const auto& study) {
+            const auto& own = own_answer(study, answer);
+            using Study = std::remove_cvref_t<decltype(study)>;
+            if constexpr (std::is_same_v<Study, PlaneFailureStudy<>> || std::is_same_v<Study, SteppedBaseStudy<>> ||
+                          std::is_same_v<Study, WedgeFailureStudy<>>) {
+                append_case_figures(study, own, folder, report, known);
+            } else {
+                append_case_figures(study, own, folder, report);
+            }
+        },
+        model);
 }
 
 Analysis analyse_model(const CaseModel& model, const AnalysisWork& work) {

@@ -64,7 +64,7 @@ void append_required_values(Analysis& analysis, const std::vector<RequiredValue<
                             const std::vector<Required>& values);
 
 // Such a value in a sentence.
-std::string required_in_words(const std::string& parameter, double target, const Required& required);
+std::string required_in_words(const RequiredValue<>& request, const Required& required);
 
 // Appends the force of each pattern of bolts as "support[1].force"; warns of rows that hold nothing.
 void append_support(Analysis& analysis, const std::vector<std::vector<BoltRow>>& patterns);

@@ -13,6 +13,7 @@
 #include "wedge_failure/wedge_failure.hpp"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +21,9 @@
 #include <vector>
 
 namespace delabole {
+
+// Input -> standard deviation, SI, of those that a case gives.
+using InputDeviations = std::map<std::string, double>;
 
 struct WedgeFailureAnswer {
     WedgeFailureResult result{};
@@ -84,9 +88,9 @@ template <class Study, class Answer>
 void append_case_figures(const Study& /*study*/, const Answer& /*answer*/, const ResultFolder& /*folder*/,
                          Report& /*report*/) {}
 void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const ResultFolder& folder,
-                         Report& report);
+                         Report& report, const InputDeviations& known);
 void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer, const ResultFolder& folder,
-                         Report& report);
+                         Report& report, const InputDeviations& known);
 void append_case_figures(const SingleBlock<>& problem, const SingleBlockResult& result, const ResultFolder& folder,
                          Report& report);
 void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, const ResultFolder& folder,
@@ -98,7 +102,7 @@ void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& re
 void append_case_figures(const SteppedPath& path, const SteppedPathResult& result, const ResultFolder& folder,
                          Report& report);
 void append_case_figures(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
-                         Report& report);
+                         Report& report, const InputDeviations& known);
 void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, const ResultFolder& folder,
                          Report& report);
 
@@ -113,7 +117,8 @@ using CaseAnswer = decltype(answers_to(std::declval<const CaseModel&>()));
 CaseAnswer analyse_case(const CaseModel& model, const AnalysisWork& work = {});
 Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer);
 HeadCard head_card(const CaseModel& model, const CaseAnswer& answer);
-void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report);
+void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report,
+                         const InputDeviations& known = {});
 
 // Figures of a mechanism at its best point, for the report of `delabole fit`.
 template <class Study>

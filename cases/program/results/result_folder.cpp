@@ -9,7 +9,6 @@
 #include "plots/report/shown_units.hpp"
 #include "version/version.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "cases/program/results/study_output.hpp"
 
 #include "cases/program/case/case_writer.hpp"
-#include "fitting/work/ranks.hpp"
 
 #include <iostream>
 

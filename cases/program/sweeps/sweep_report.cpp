@@ -1,6 +1,5 @@
 #include "cases/program/sweeps/sweep_report.hpp"
 
-#include "fitting/work/words.hpp"
 #include "plots/drawing/contour.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/figures.hpp"

@@ -7,7 +7,6 @@
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
-#include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>

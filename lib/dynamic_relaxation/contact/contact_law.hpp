@@ -15,7 +15,6 @@
 #include "dynamic_relaxation/contact/contacts.hpp"
 #include "numerics/lanes.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 

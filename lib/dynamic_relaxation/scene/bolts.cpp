@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace delabole {
@@ -42,15 +43,46 @@ bool is_there_at_first(const RelaxationScene& scene, std::size_t block) {
                                 [&](const Removal& removal) { return removal.block == block && removal.time < 0; });
 }
 
+// Where the outline is farthest to the left at this height; not finite above it and below it.
+double face_at(const std::vector<SectionPoint>& outline, double y) {
+    double face = std::numeric_limits<double>::infinity();
+    for (std::size_t corner = 0; corner < outline.size(); ++corner) {
+        const SectionPoint& from = outline[corner];
+        const SectionPoint& to = outline[(corner + 1) % outline.size()];
+        if (std::min(from.y, to.y) <= y && y <= std::max(from.y, to.y)) {
+            face = std::min(face, from.y == to.y ? std::min(from.x, to.x)
+                                                 : from.x + (to.x - from.x) * (y - from.y) / (to.y - from.y));
+        }
+    }
+    return face;
+}
+
 }  // namespace
+
+std::vector<RelaxationBolt> all_bolts(const Relaxation& model) {
+    std::vector<RelaxationBolt> bolts = model.bolt;
+    const auto* slope = std::get_if<RelaxationSlope>(&model.scene);
+    if (slope == nullptr || slope->geometry.outline.empty()) {
+        return bolts;
+    }
+    const std::vector<SectionPoint>& outline = slope->geometry.outline;
+    for (const BoltRows& support : model.support) {
+        for (int row = 0; row < support.rows; ++row) {
+            const double y =
+                std::ranges::min(outline, {}, &SectionPoint::y).y + support.lowest_height + row * support.row_spacing;
+            bolts.push_back({face_at(outline, y), y, support.bar});
+        }
+    }
+    return bolts;
+}
 
 std::vector<BoltSegment> bolt_segments(const RelaxationScene& scene, const RelaxationBolt& bolt, std::size_t index) {
     const PlanePoint<> head(bolt.head_x, bolt.head_y);
-    const PlanePoint<> along(std::cos(bolt.plunge), -std::sin(bolt.plunge));
+    const PlanePoint<> along(std::cos(bolt.bar.plunge), -std::sin(bolt.bar.plunge));
     std::vector<Stretch> crossed;
     for (std::size_t block = 0; block < scene.block.size(); ++block) {
         const Polygon<>& outline = scene.block[block].outline;
-        auto stretch = outline.size() >= 3 ? stretch_in(outline, head, along, bolt.length) : std::nullopt;
+        auto stretch = outline.size() >= 3 ? stretch_in(outline, head, along, bolt.bar.length) : std::nullopt;
         if (stretch && is_there_at_first(scene, block)) {
             stretch->block = block;
             crossed.push_back(*stretch);
@@ -58,8 +90,9 @@ std::vector<BoltSegment> bolt_segments(const RelaxationScene& scene, const Relax
     }
     std::ranges::sort(crossed, {}, &Stretch::begin);
     // The given head may deviate from a face by rounding.
-    const double tolerance = 1e-3 * bolt.length;
-    if (crossed.size() < 2 || crossed.front().begin > tolerance || crossed.back().end < bolt.length - tolerance) {
+    const double tolerance = 1e-3 * bolt.bar.length;
+    if (!std::isfinite(bolt.head_x) || crossed.size() < 2 || crossed.front().begin > tolerance ||
+        crossed.back().end < bolt.bar.length - tolerance) {
         constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
         return {{index, nowhere, nowhere, head, head, 0, 0, 0}};
     }
@@ -69,15 +102,15 @@ std::vector<BoltSegment> bolt_segments(const RelaxationScene& scene, const Relax
                            other.block,
                            head + begin * along,
                            head + end * along,
-                           bolt.axial_stiffness / (end - begin) / bolt.spacing,
-                           bolt.pretension.value_or(0) / bolt.spacing,
-                           bolt.capacity / bolt.spacing};
+                           bolt.bar.axial_stiffness / (end - begin) / bolt.bar.spacing,
+                           bolt.bar.pretension.value_or(0) / bolt.bar.spacing,
+                           bolt.bar.capacity / bolt.bar.spacing};
     };
-    if (!bolt.free_length_at_joints) {
-        return {segment(crossed.front(), crossed.back(), 0, bolt.length)};
+    if (!bolt.bar.free_length_at_joints) {
+        return {segment(crossed.front(), crossed.back(), 0, bolt.bar.length)};
     }
     std::vector<BoltSegment> segments;
-    const double half = *bolt.free_length_at_joints / 2;
+    const double half = *bolt.bar.free_length_at_joints / 2;
     for (std::size_t next = 1; next < crossed.size(); ++next) {
         const double joint = (crossed[next - 1].end + crossed[next].begin) / 2;
         segments.push_back(segment(crossed[next - 1], crossed[next], joint - half, joint + half));

@@ -14,6 +14,9 @@
 
 namespace delabole {
 
+// The single bolts, then those of each row from the lowest up. A head higher than the outline is not finite.
+std::vector<RelaxationBolt> all_bolts(const Relaxation& model);
+
 // The segments of the bolt with this index. If the bolt begins or ends outside the blocks or crosses no joint, the
 // result is one segment of a block that does not exist, which the scene's check refuses.
 std::vector<BoltSegment> bolt_segments(const RelaxationScene& scene, const RelaxationBolt& bolt, std::size_t index);

@@ -127,7 +127,6 @@ struct RelaxationRow {
     RelaxationJoint base;
     std::optional<RelaxationScatter> scatter;
     std::vector<RelaxationRowBlock> block;
-
     static constexpr std::string_view kind = "row";
     static constexpr auto fields() {
         using R = RelaxationRow;
@@ -149,7 +148,6 @@ struct RelaxationColumns {
     RelaxationJoint base;
     std::optional<RelaxationScatter> scatter;
     std::vector<RelaxationColumn> block;
-
     static constexpr std::string_view kind = "stepped_base";
     static constexpr auto fields() {
         using C = RelaxationColumns;
@@ -307,9 +305,7 @@ struct ForceOnBlock {
     }
 };
 
-struct RelaxationBolt {
-    double head_x;
-    double head_y;
+struct BoltBar {
     double plunge;
     double length;
     double spacing;
@@ -318,22 +314,44 @@ struct RelaxationBolt {
     std::optional<double> pretension;
     std::optional<double> free_length_at_joints;
     static constexpr auto fields() {
-        using B = RelaxationBolt;
+        using B = BoltBar;
         return std::tuple{
-            number("head_x", &B::head_x, Dimension::length, any_number(), "where its head is, on the face of a block"),
-            number("head_y", &B::head_y, Dimension::length, any_number(), "likewise"),
             number("plunge", &B::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
-                   "direction below the section's x axis, into the slope"),
-            number("length", &B::length, Dimension::length, extent_range(),
-                   "from its head to its end in another block"),
+                   "below the section's x axis"),
+            number("length", &B::length, Dimension::length, extent_range(), "from its head to its end"),
             number("spacing", &B::spacing, Dimension::length, extent_range(), "along the slope, from bolt to bolt"),
-            number("axial_stiffness", &B::axial_stiffness, Dimension::force, more_than(0),
-                   "modulus times area of the bar"),
+            number("axial_stiffness", &B::axial_stiffness, Dimension::force, more_than(0), "modulus times area"),
             number("capacity", &B::capacity, Dimension::force, more_than(0), "tension at which it yields"),
             number("pretension", &B::pretension, Dimension::force, at_least(0), "at the start; absent: 0"),
             number("free_length_at_joints", &B::free_length_at_joints, Dimension::length, extent_range(),
-                   "over which a grouted bolt stretches at each joint that it crosses; absent: not grouted, it "
-                   "stretches over its whole length")};
+                   "over which a grouted bolt stretches at each joint; absent: it stretches over its whole length")};
+    }
+};
+
+struct RelaxationBolt {
+    double head_x;
+    double head_y;
+    BoltBar bar;
+    static constexpr auto fields() {
+        return std::tuple{number("head_x", &RelaxationBolt::head_x, Dimension::length, any_number(),
+                                 "its head, on the face of a block"),
+                          number("head_y", &RelaxationBolt::head_y, Dimension::length, any_number(), "likewise"),
+                          inlined(&RelaxationBolt::bar, "the bar")};
+    }
+};
+
+struct BoltRows {
+    double rows;
+    double lowest_height;
+    double row_spacing;
+    BoltBar bar;
+    static constexpr auto fields() {
+        return std::tuple{
+            number("rows", &BoltRows::rows, Dimension::ratio, within(1, 1000), "number of rows, a whole one"),
+            number("lowest_height", &BoltRows::lowest_height, Dimension::length, any_number(),
+                   "of the lowest heads above the section's lowest corner"),
+            number("row_spacing", &BoltRows::row_spacing, Dimension::length, extent_range(), "from row to row"),
+            inlined(&BoltRows::bar, "the bars")};
     }
 };
 
@@ -448,6 +466,7 @@ struct Relaxation {
     std::optional<BaseFriction> base_friction;
     std::vector<ForceOnBlock> force;
     std::vector<RelaxationBolt> bolt;
+    std::vector<BoltRows> support;
     std::vector<WaterPressure> pressure;
     std::vector<WaterInJoint> joint_water;
     std::vector<ShakingPoint> shaking;
@@ -466,6 +485,7 @@ struct Relaxation {
                     "a belt that drives the blocks, pressed on it by gravity; absent: gravity drives them"),
             section("force", &R::force, "point forces, along the axes of the section"),
             section("bolt", &R::bolt, "bolts and cables across joints"),
+            section("support", &R::support, "rows of bolts, heads on the left of a jointed_slope's outline"),
             section("pressure", &R::pressure, "water on single faces of blocks"),
             section("joint_water", &R::joint_water,
                     "water between two blocks, on both, over what their faces share at the start"),

@@ -10,7 +10,6 @@
 #include "parameters/fields.hpp"
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>

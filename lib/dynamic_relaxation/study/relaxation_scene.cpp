@@ -380,8 +380,9 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     for (const ForceOnBlock& force : model.force) {
         scene.force.push_back({index_of(force.block), {force.x, force.y}, {force.horizontal, force.vertical}});
     }
-    for (std::size_t index = 0; index < model.bolt.size(); ++index) {
-        const std::vector<BoltSegment> segments = bolt_segments(scene, model.bolt[index], index);
+    const std::vector<RelaxationBolt> bolts = all_bolts(model);
+    for (std::size_t index = 0; index < bolts.size(); ++index) {
+        const std::vector<BoltSegment> segments = bolt_segments(scene, bolts[index], index);
         scene.bolt.insert(scene.bolt.end(), segments.begin(), segments.end());
     }
     add_joint_water(scene, model.joint_water);

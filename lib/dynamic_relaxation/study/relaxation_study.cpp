@@ -1,4 +1,5 @@
 #include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "dynamic_relaxation/scene/bolts.hpp"
 
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
@@ -136,7 +137,7 @@ Prediction predict(RelaxationStudy study, std::span<const Assignment> assignment
 RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
     RelaxationAnswer shape{};
     shape.block.resize(number_of_blocks(study));
-    shape.bolt.resize(study.model.bolt.size());
+    shape.bolt.resize(all_bolts(study.model).size());
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         shape.post_failure.emplace();
         shape.post_failure->joint.resize(slope->joint.size());

@@ -7,7 +7,6 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <variant>
 

@@ -217,16 +217,16 @@ FailureLoci failure_loci(const PlaneFailure<>& problem) {
 }
 
 std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem, const SensitivityResult& sensitivities,
-                                             const std::vector<FreeParameter>& fitted) {
+                                             const InputDeviations& known) {
     const double height = problem.slope.height;
     const double overburden = problem.rock.unit_weight * height;
     std::vector<SensitivityBar> bars;
     for (const Sensitivity& input : sensitivities.derivatives) {
         const SensitivityStep step =
-            sensitivity_step(input.parameter, fitted, input.dimension, input.value, height, overburden);
+            sensitivity_step(input.parameter, known, input.dimension, input.value, height, overburden);
         const double effect = input.derivative * step.size;
         if (effect != 0) {
-            bars.push_back({input.parameter, step.words, effect});
+            bars.push_back({input.parameter, step.words, effect, step.by_rule && !known.empty()});
         }
     }
     return bars;

@@ -1,7 +1,7 @@
 // The data for figures of a plane failure, computed with the model.
 #pragma once
 
-#include "fitting/posterior/fit_problem.hpp"
+#include "cases/program/results/model_reports.hpp"
 #include "plane_failure/plane_failure.hpp"
 #include "plane_failure/sensitivity.hpp"
 #include "plots/figures/figures.hpp"
@@ -25,10 +25,9 @@ std::optional<WaterDepthCurves> water_depth_curves(const PlaneFailure<>& problem
 // water has no level).
 FailureLoci failure_loci(const PlaneFailure<>& problem);
 
-// First-order change of the factor of safety. Each input is changed by one standard deviation of its prior if it is
-// among the fitted ones, otherwise by the usual step of sensitivity_step.hpp.
+// First-order change of the factor of safety, each input changed by the step of reports/sensitivity_step.hpp.
 std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem, const SensitivityResult& sensitivities,
-                                             const std::vector<FreeParameter>& fitted = {});
+                                             const InputDeviations& known);
 
 // Factor of safety against plane dip, with the tension crack at its critical position for each dip and the critical
 // plane marked. `best` is the result of the study's search.

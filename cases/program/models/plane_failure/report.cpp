@@ -1,5 +1,6 @@
 // Plane failure: answers, warnings and figures for reports.
 #include "cases/program/models/plane_failure/figures.hpp"
+#include "cases/program/reports/sensitivity_step.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
@@ -79,7 +80,7 @@ std::string required_in_words(const PlaneFailure<>& problem, const RequiredValue
                    "bolts at " + value_in_words(problem.bolt[index].plunge, Dimension::angle) + ".";
         }
     }
-    return required_in_words(request.parameter, request.factor_of_safety, required);
+    return required_in_words(request, required);
 }
 
 std::string outcome_in_words(PlaneFailureOutcome outcome) {
@@ -171,7 +172,7 @@ HeadCard head_card(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& a
 }
 
 void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const ResultFolder& folder,
-                         Report& report) {
+                         Report& report, const InputDeviations& known) {
     const PlaneFailure<>& problem = answer.resolved.problem;
     SectionDrawing section = section_drawing(problem, "");
     std::vector<std::string> drawn{"Slope", "failure plane"};
@@ -202,9 +203,10 @@ void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAns
     CsvTable csv({"input", "value", "unit", "derivative_per_unit"});
     report.blocks.emplace_back(Heading{"Sensitivity"});
     report.blocks.emplace_back(folder.draw(
-        tornado_figure("Change of the factor of safety", sensitivity_bars(problem, derivatives)), "sensitivity",
-        "For a change of each input by itself, by the step that stands beside it; to first order, from "
-        "exact derivatives. The eight greatest."));
+        tornado_figure("Change of the factor of safety", sensitivity_bars(problem, derivatives, known)), "sensitivity",
+        "Each input changed by itself, by the step that stands beside it; to first order, from exact derivatives. The "
+        "eight greatest." +
+            deviations_in_words(known)));
     report.blocks.emplace_back(sensitivity_table(derivatives, csv));
     folder.write("sensitivities.csv", csv.text());
 }
@@ -242,7 +244,8 @@ void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const Mechanis
                                                "Factor of safety against the filled ratio of the crack."));
     }
     report.blocks.emplace_back(folder.draw(
-        tornado_figure("Change of the factor of safety", sensitivity_bars(slope, sensitivities(slope), fit.parameters)),
+        tornado_figure("Change of the factor of safety",
+                       sensitivity_bars(slope, sensitivities(slope), deviations_of(fit.parameters))),
         fit.name + "_sensitivity",
         "To first order, from exact derivatives at the best point, the geometry held; fitted inputs by one standard "
         "deviation of their priors. The eight greatest."));

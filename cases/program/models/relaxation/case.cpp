@@ -5,6 +5,7 @@
 #include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
 #include "dynamic_relaxation/blocks/joint_water.hpp"
+#include "dynamic_relaxation/scene/bolts.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
@@ -136,10 +137,20 @@ void check_loads(Checker& checker, const Relaxation& model, const RelaxationScen
             }
         }
     }
-    for (std::size_t index = 0; index < model.bolt.size(); ++index) {
-        if (model.bolt[index].pretension.value_or(0) > model.bolt[index].capacity) {
-            checker.complain(indexed("bolt", index) + ".pretension", "must be at most the bolt's capacity");
+    const auto check_bar = [&](const std::string& key, const BoltBar& bar) {
+        if (bar.pretension.value_or(0) > bar.capacity) {
+            checker.complain(key + ".pretension", "must be at most the bolt's capacity");
         }
+    };
+    for (std::size_t index = 0; index < model.bolt.size(); ++index) {
+        check_bar(indexed("bolt", index), model.bolt[index].bar);
+    }
+    for (std::size_t index = 0; index < model.support.size(); ++index) {
+        check_bar(indexed("support", index), model.support[index].bar);
+        check_whole(checker, indexed("support", index) + ".rows", model.support[index].rows);
+    }
+    if (!model.support.empty() && !std::holds_alternative<RelaxationSlope>(model.scene)) {
+        checker.complain("support", "needs scene.kind = \"jointed_slope\", on whose face the rows begin: use [[bolt]]");
     }
     check_joint_water(checker, model.joint_water, scene);
     check_increasing(checker, model.shaking, &ShakingPoint::time, "shaking", "time");
@@ -225,7 +236,8 @@ void check_retrogression(Checker& checker, const RelaxationStudy& study) {
     refuse("scene.kind", !std::holds_alternative<RelaxationSlope>(study.model.scene), "only a jointed_slope retreats");
     refuse("settings.stop", settings.stop.has_value(), "each stage ends at equilibrium or at onset");
     refuse("settings.watch", settings.watch.has_value(), "each stage ends at equilibrium or at onset");
-    refuse("bolt", !study.model.bolt.empty(), "what has lost its hold is found without bolts");
+    refuse(study.model.bolt.empty() ? "support" : "bolt", !all_bolts(study.model).empty(),
+           "what has lost its hold is found without bolts");
     refuse("history", study.history.has_value(), "its stages have no common time");
     refuse(study.model.removal.empty() ? "scene.stage" : "removal", has_stages(study),
            "draw the slope as it is after excavation");

@@ -6,7 +6,6 @@
 #include "plots/drawing/text.hpp"
 
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 

@@ -209,6 +209,20 @@ std::string continued(std::string sentence) {
     return colon == std::string::npos ? sentence : sentence.replace(colon, 1, ",");
 }
 
+// "Bolt 2 pulls most at the end, 66 kN/m of the 100 kN/m at which it yields; the"
+std::string greatest_pull(const RelaxationRun& made) {
+    if (made.result.bolt.empty()) {
+        return "The";
+    }
+    const auto most = std::ranges::max_element(made.result.bolt, {}, &BoltOutcome::force);
+    const auto index = static_cast<std::size_t>(most - made.result.bolt.begin());
+    return "Bolt " + std::to_string(index + 1) + " pulls most at the end, " +
+           value_in_words(most->force, Dimension::force_per_length) + " of the " +
+           value_in_words(std::ranges::find(made.scene.bolt, index, &BoltSegment::bolt)->capacity,
+                          Dimension::force_per_length) +
+           " at which it yields; the";
+}
+
 AnswerTone tone_of(const RelaxationRun& made) {
     if (made.in_stages) {
         return made.stage.empty() ? AnswerTone::good : AnswerTone::bad;
@@ -266,8 +280,8 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
                    : "."));
     }
     const bool watched = study.settings && study.settings->watch;
-    head.sentences.push_back((watched ? "Followed past the verdict, as settings.watch asks; the" : std::string("The")) +
-                             " energy balance closes to " +
+    head.sentences.push_back((watched ? "Followed past the verdict, as settings.watch asks. " : "") +
+                             greatest_pull(made) + " energy balance closes to " +
                              number_in_words(100 * std::abs(result.ledger.residual_share())) + " % in " +
                              number_in_words(static_cast<double>(result.cost.steps)) + " steps.");
     return head;

@@ -4,7 +4,6 @@
 #include "cases/program/models/relaxation/figures.hpp"
 #include "dynamic_relaxation/scene/water_table.hpp"
 #include "fitting/work/words.hpp"
-#include "plots/drawing/text.hpp"
 #include "plots/figures/block_figures.hpp"
 
 #include <algorithm>

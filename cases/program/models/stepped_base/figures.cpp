@@ -2,6 +2,7 @@
 #include "cases/program/models/stepped_base/bound.hpp"
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/models/stepped_base/sweeps.hpp"
+#include "cases/program/reports/sensitivity_step.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 
@@ -52,8 +53,8 @@ void append_forces(const ColumnState& state, const std::string& name, const Resu
         "none where both are zero."));
 }
 
-void append_sensitivity(const SteppedBaseAnswer& answer, const std::vector<FreeParameter>& fitted,
-                        const std::string& prefix, const ResultFolder& folder, Report& report) {
+void append_sensitivity(const SteppedBaseAnswer& answer, const InputDeviations& known, const std::string& prefix,
+                        const ResultFolder& folder, Report& report) {
     const SteppedBase<>& problem = answer.resolved.problem;
     if (answer.result.limit != LimitState::found) {
         report.blocks.emplace_back(
@@ -67,16 +68,15 @@ void append_sensitivity(const SteppedBaseAnswer& answer, const std::vector<FreeP
     }
     report.blocks.emplace_back(folder.draw(
         tornado_figure("Change of the factor of safety",
-                       sensitivity_bars(problem, answer.result.factor_of_safety, fitted)),
+                       sensitivity_bars(problem, answer.result.factor_of_safety, known)),
         prefix + "sensitivity",
-        "By recalculation, one input at a time, the base held: the eight greatest. Fitted inputs are changed by one "
-        "standard deviation of their priors."));
+        "By recalculation, one input at a time, the base held: the eight greatest." + deviations_in_words(known)));
 }
 
 }  // namespace
 
 void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer, const ResultFolder& folder,
-                         Report& report) {
+                         Report& report, const InputDeviations& known) {
     const SteppedBase<>& problem = answer.resolved.problem;
     const SteppedBaseResult& result = answer.result;
     const bool found = result.limit == LimitState::found;
@@ -107,7 +107,7 @@ void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswe
             report.blocks.emplace_back(folder.draw(sweep.figure, sweep.file, sweep.caption));
         }
     }
-    append_sensitivity(answer, {}, "", folder, report);
+    append_sensitivity(answer, known, "", folder, report);
 }
 
 void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
@@ -124,7 +124,7 @@ void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const Mechanism
     append_section(answer, {}, problem.profile ? problem.profile->profile : Polyline{},
                    profile_after_failure(best.model, answer.result), fit.name + "_section", folder, report);
     append_forces(answer.limiting, fit.name + "_forces", folder, report);
-    append_sensitivity(answer, fit.parameters, fit.name + "_", folder, report);
+    append_sensitivity(answer, deviations_of(fit.parameters), fit.name + "_", folder, report);
 }
 
 }  // namespace delabole

@@ -183,10 +183,7 @@ HeadCard head_card(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& ans
     std::string required;
     const auto add = [&](const std::string& sentence) { required += (required.empty() ? "" : " ") + sentence; };
     for (std::size_t index = 0; index < study.required.size(); ++index) {
-        const RequiredValue<>& request = study.required[index];
-        std::vector<std::string> inputs{request.parameter};
-        inputs.insert(inputs.end(), request.also.begin(), request.also.end());
-        add(required_in_words(list_in_words(inputs), request.factor_of_safety, answer.required[index]));
+        add(required_in_words(study.required[index], answer.required[index]));
     }
     for (std::size_t index = 0; index < study.required_cable.size(); ++index) {
         const RequiredCable<>& cable = study.required_cable[index];

@@ -16,7 +16,6 @@ namespace {
 constexpr int curve_points = 81;
 constexpr double most_swept_columns = 5000;
 constexpr double most_work = 2e6;  // inputs times columns
-constexpr std::size_t most_bars = 15;
 constexpr double most_bisected_columns = 500;
 
 // Nothing if the columns are impossible or have no limiting equilibrium.
@@ -268,7 +267,7 @@ std::vector<GeometrySweep> geometry_sweeps(const SteppedBase<>& problem, double 
 }
 
 std::vector<SensitivityBar> sensitivity_bars(const SteppedBase<>& problem, double factor_of_safety,
-                                             const std::vector<FreeParameter>& fitted) {
+                                             const InputDeviations& known) {
     double height = 0;
     if (problem.scene.slope) {
         height = problem.scene.slope->height;
@@ -282,7 +281,7 @@ std::vector<SensitivityBar> sensitivity_bars(const SteppedBase<>& problem, doubl
     std::vector<SensitivityBar> bars;
     for_each_named_number(varied, [&](const std::string& path, const FieldInfo& info, double& value) {
         const double given = value;
-        const SensitivityStep step = sensitivity_step(path, fitted, info.dimension, given, height, overburden);
+        const SensitivityStep step = sensitivity_step(path, known, info.dimension, given, height, overburden);
         const auto at = [&](double changed) -> std::optional<double> {
             value = changed;
             const std::optional<double> factor = info.range.contains(changed) ? safety_of(varied) : std::nullopt;
@@ -296,13 +295,9 @@ std::vector<SensitivityBar> sensitivity_bars(const SteppedBase<>& problem, doubl
             effect = factor_of_safety - *lowered;
         }
         if (effect != 0) {
-            bars.push_back({path, step.words, effect});
+            bars.push_back({path, step.words, effect, step.by_rule && !known.empty()});
         }
     });
-    std::sort(bars.begin(), bars.end(), [](const SensitivityBar& first, const SensitivityBar& second) {
-        return std::abs(first.effect) > std::abs(second.effect);
-    });
-    bars.resize(std::min(bars.size(), most_bars));
     return bars;
 }
 

@@ -1,7 +1,7 @@
 // How the stability of columns on a stepped base depends on the geometry and on each input.
 #pragma once
 
-#include "fitting/posterior/fit_problem.hpp"
+#include "cases/program/results/model_reports.hpp"
 #include "limit_equilibrium/stepped_base/stepped_base.hpp"
 #include "plots/figures/figures.hpp"
 
@@ -25,9 +25,9 @@ bool can_sweep(const SteppedBase<>& problem, const ColumnSlope<>& slope);
 // except with more than 500 columns. Throws Interrupted.
 std::vector<GeometrySweep> geometry_sweeps(const SteppedBase<>& problem, double factor_of_safety);
 
-// Change of the factor of safety when it is computed again for each changed input, the 15 largest. An input that cannot
-// be increased is decreased instead. Fitted inputs are changed by one standard deviation of their priors.
+// Change of the factor of safety when it is computed again with each input changed by the step of
+// reports/sensitivity_step.hpp. An input that cannot be increased is decreased instead.
 std::vector<SensitivityBar> sensitivity_bars(const SteppedBase<>& problem, double factor_of_safety,
-                                             const std::vector<FreeParameter>& fitted = {});
+                                             const InputDeviations& known);
 
 }  // namespace delabole

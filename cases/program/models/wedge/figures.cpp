@@ -70,13 +70,13 @@ std::optional<WaterDepthCurves> filled_ratio_curve(const WedgeFailure<>& problem
     return curves;
 }
 
-std::vector<SensitivityBar> sensitivity_bars(const WedgeFailure<>& problem) {
+std::vector<SensitivityBar> sensitivity_bars(const WedgeFailure<>& problem, const InputDeviations& known) {
     const double height = problem.slope.height;
     const double overburden = problem.rock.unit_weight * height;
     const double given = factor_of(problem);
     std::vector<SensitivityBar> bars;
     for_each_named_number(problem, [&](const std::string& path, const FieldInfo& info, double value) {
-        const SensitivityStep step = sensitivity_step(info.dimension, value, height, overburden);
+        const SensitivityStep step = sensitivity_step(path, known, info.dimension, value, height, overburden);
         WedgeFailure<> varied = problem;
         const auto changed_by = [&](double change) {
             for_each_named_number(varied, [&](const std::string& other, const FieldInfo&, double& number) {
@@ -87,7 +87,7 @@ std::vector<SensitivityBar> sensitivity_bars(const WedgeFailure<>& problem) {
         const double upwards = changed_by(step.size);
         const double effect = std::isfinite(upwards) ? upwards : -changed_by(-step.size);
         if (effect != 0) {
-            bars.push_back({path, step.words, effect});
+            bars.push_back({path, step.words, effect, step.by_rule && !known.empty()});
         }
     });
     return bars;

@@ -1,6 +1,7 @@
 // The data for figures of a wedge, computed with the model.
 #pragma once
 
+#include "cases/program/results/model_reports.hpp"
 #include "plots/figures/figures.hpp"
 #include "plots/figures/stereonet.hpp"
 #include "plots/figures/wedge_figure.hpp"
@@ -21,6 +22,6 @@ std::optional<WaterDepthCurves> filled_ratio_curve(const WedgeFailure<>& problem
 
 // Change of the factor of safety if one input is increased by the step of reports/sensitivity_step.hpp, or decreased by
 // it if no wedge exists at the increased value. Inputs without effect are left out.
-std::vector<SensitivityBar> sensitivity_bars(const WedgeFailure<>& problem);
+std::vector<SensitivityBar> sensitivity_bars(const WedgeFailure<>& problem, const InputDeviations& known);
 
 }  // namespace delabole

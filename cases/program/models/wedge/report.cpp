@@ -1,5 +1,6 @@
 // Wedge failure: answers, warnings and figures for reports.
 #include "cases/program/models/wedge/figures.hpp"
+#include "cases/program/reports/sensitivity_step.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
@@ -24,7 +25,7 @@ void warn(Analysis& analysis, const WedgeFailureResult& result) {
 }
 
 void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& result, const std::string& prefix,
-                     const ResultFolder& folder, Report& report) {
+                     const InputDeviations& known, const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(folder.draw(
         wedge_figure(wedge_drawing(problem, "The wedge in the slope")), prefix + "wedge",
         "The wedge, to scale, seen from above and from in front of the face; 1 and 2 mark the traces of the planes."));
@@ -36,13 +37,14 @@ void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& re
     report.blocks.emplace_back(folder.draw(wedge_net_figure(wedge_net(problem, result)), prefix + "stereonet",
                                            "The planes as great circles, and the line along which they meet."));
     if (const auto curve = filled_ratio_curve(problem)) {
+        report.blocks.emplace_back(Heading{"Water"});
         report.blocks.emplace_back(folder.draw(
             factor_of_safety_against_water(*curve), prefix + "water",
             "Factor of safety against the greatest water pressure over that of fissures filled to the ground."));
     }
-    report.blocks.emplace_back(folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem)),
-                                           prefix + "sensitivity",
-                                           "Each input changed by itself, by the step that stands beside it."));
+    report.blocks.emplace_back(folder.draw(
+        tornado_figure("Change of the factor of safety", sensitivity_bars(problem, known)), prefix + "sensitivity",
+        "Each input changed by itself, by the step that stands beside it." + deviations_in_words(known)));
 }
 
 }  // namespace
@@ -81,14 +83,8 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
         head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) + (stands ? ": stands" : ": slides") +
                                  " on " + human_name(word_of(result.contact)) + ".");
     }
-    for (std::size_t index = 0; index < study.required.size(); ++index) {
-        if (answer.required[index].status == RequiredStatus::found) {
-            head.sentences.push_back("FS " + number_in_words(study.required[index].factor_of_safety) + " takes " +
-                                     human_name(study.required[index].parameter) + " of " +
-                                     value_in_words(answer.required[index].value, answer.required[index].dimension) +
-                                     ".");
-            break;
-        }
+    if (!study.required.empty()) {
+        head.sentences.push_back(required_in_words(study.required.front(), answer.required.front()));
     }
     head.sentences.push_back(value_in_words(result.weight, Dimension::force) + " of rock on a line that plunges " +
                              value_in_words(result.line_plunge, Dimension::angle) + " towards " +
@@ -97,15 +93,15 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
 }
 
 void append_case_figures(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
-                         Report& report) {
-    append_drawings(study.model, answer.result, "", folder, report);
+                         Report& report, const InputDeviations& known) {
+    append_drawings(study.model, answer.result, "", known, folder, report);
 }
 
 void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem&,
                               const ResultFolder& folder, Report& report) {
     const WedgeFailureResult result = analyse(at_best.model);
     if (result.check == WedgeFailureCheck::valid) {
-        append_drawings(at_best.model, result, fit.name + "_", folder, report);
+        append_drawings(at_best.model, result, fit.name + "_", deviations_of(fit.parameters), folder, report);
     }
 }
 

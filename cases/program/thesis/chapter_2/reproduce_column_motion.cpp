@@ -1,7 +1,6 @@
 // Groundwater on one column in motion, 2.3.5 of the thesis: the tests of groundwater_tests.csv run on a belt, and
 // observations 1 to 4 held against them.
 #include "cases/program/models/relaxation/figures.hpp"
-#include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"

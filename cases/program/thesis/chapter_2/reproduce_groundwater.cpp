@@ -4,7 +4,6 @@
 // weight and water. Normal and tangential force on the joint are then W cos(d + t) and W sin(d + t); what drives the
 // column, over its weight, is sin(d + t) - cos(d + t) tan(phi). On the belt velocities stand for accelerations. From
 // d + t = 90 deg on the joint presses no longer: the column leaves it and hangs over.
-#include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
 #include "cases/program/thesis/physical_models.hpp"
 #include "fitting/work/words.hpp"

@@ -3,7 +3,6 @@
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
-#include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 #include "plots/drawing/text.hpp"
 #include "plots/figures/figures.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

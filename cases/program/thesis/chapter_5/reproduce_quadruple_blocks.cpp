@@ -4,8 +4,6 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
 
 namespace delabole {

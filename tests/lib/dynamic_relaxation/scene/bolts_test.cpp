@@ -142,14 +142,14 @@ RelaxationScene row() {
 
 TEST(Bolts, AreCutWhereTheyCrossJoints) {
     const RelaxationScene scene = row();
-    RelaxationBolt bolt{0, 0.5, 0, 2.5, 2, 1e8, 2e5, {}, {}};
+    RelaxationBolt bolt{0, 0.5, {0, 2.5, 2, 1e8, 2e5, {}, {}}};
     const std::vector<BoltSegment> whole = bolt_segments(scene, bolt, 0);
     ASSERT_EQ(whole.size(), 1U);
     EXPECT_EQ(whole[0].block, 0U);
     EXPECT_EQ(whole[0].other, 2U);
     EXPECT_DOUBLE_EQ(whole[0].stiffness, 1e8 / 2.5 / 2);
     EXPECT_DOUBLE_EQ(whole[0].capacity, 1e5);
-    bolt.free_length_at_joints = 0.2;
+    bolt.bar.free_length_at_joints = 0.2;
     const std::vector<BoltSegment> grouted = bolt_segments(scene, bolt, 0);
     ASSERT_EQ(grouted.size(), 2U);
     for (std::size_t index = 0; index < 2; ++index) {
@@ -161,13 +161,44 @@ TEST(Bolts, AreCutWhereTheyCrossJoints) {
 }
 
 TEST(Bolts, OutsideTheBlocksAreRefused) {
-    for (const RelaxationBolt& bolt : {RelaxationBolt{-1, 0.5, 0, 2.5, 1, 1e8, 1e5, {}, {}},    // head in the air
-                                       RelaxationBolt{0, 0.5, 0, 4, 1, 1e8, 1e5, {}, {}},       // end in the air
-                                       RelaxationBolt{0, 0.5, 0, 0.5, 1, 1e8, 1e5, {}, {}}}) {  // crosses no joint
+    for (const RelaxationBolt& bolt : {RelaxationBolt{-1, 0.5, {0, 2.5, 1, 1e8, 1e5, {}, {}}},    // head in the air
+                                       RelaxationBolt{0, 0.5, {0, 4, 1, 1e8, 1e5, {}, {}}},       // end in the air
+                                       RelaxationBolt{0, 0.5, {0, 0.5, 1, 1e8, 1e5, {}, {}}}}) {  // crosses no joint
         RelaxationScene scene = row();
         scene.bolt = bolt_segments(scene, bolt, 0);
         EXPECT_EQ(check_scene(scene).check, SceneCheck::bolt_outside_blocks);
     }
+}
+
+// A face from (0, 0) to (6, 12): at a height of 6 m it stands at 3 m.
+TEST(Bolts, ARowOfOneIsTheSameSingleBolt) {
+    const BoltBar bar{degrees(10), 8, 2, 1e8, 2e5, 1e4, {}};
+    Relaxation single;
+    single.scene = RelaxationSlope{};
+    std::get<RelaxationSlope>(single.scene).geometry.outline = {{0, 0}, {20, 0}, {20, 12}, {6, 12}};
+    Relaxation rows = single;
+    single.bolt = {{3, 6, bar}};
+    rows.support = {{1, 6, 2, bar}};
+    const std::vector<RelaxationBolt> one = all_bolts(rows);
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_EQ(one[0].head_x, 3);
+    EXPECT_EQ(one[0].head_y, 6);
+    const RelaxationScene scene = row();
+    const auto at_row = [&](RelaxationBolt bolt) {
+        bolt.head_x = 0;  // on the face of the blocks there
+        bolt.head_y = 0.5;
+        bolt.bar.plunge = 0;
+        bolt.bar.length = 2.5;
+        return bolt_segments(scene, bolt, 0).at(0);
+    };
+    EXPECT_EQ(at_row(one[0]).stiffness, at_row(all_bolts(single).at(0)).stiffness);
+    EXPECT_EQ(at_row(one[0]).pretension, at_row(all_bolts(single).at(0)).pretension);
+    EXPECT_EQ(at_row(one[0]).capacity, at_row(all_bolts(single).at(0)).capacity);
+    rows.support[0].rows = 4;  // the fourth would begin on the crest, the fifth above it
+    EXPECT_EQ(all_bolts(rows).at(3).head_x, 6);
+    rows.support[0].rows = 5;
+    EXPECT_FALSE(std::isfinite(all_bolts(rows).at(4).head_x));
+    EXPECT_EQ(bolt_segments(scene, all_bolts(rows).at(4), 4).at(0).block, static_cast<std::size_t>(-1));
 }
 
 }  // namespace
