@@ -6,8 +6,9 @@ namespace delabole {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> colour_words{"black", "blue", "vermilion",  "green", "orange", "purple",
-                                                        "sky",   "grey", "light_grey", "rock",  "white"};
+constexpr std::array<std::string_view, 13> colour_words{"black",  "blue",      "vermilion",     "green",      "orange",
+                                                        "purple", "sky",       "grey",          "light_grey", "rock",
+                                                        "white",  "pale_blue", "pale_vermilion"};
 constexpr std::array<std::string_view, 3> dash_words{"solid", "dashed", "dotted"};
 constexpr std::array<std::string_view, 6> marker_words{"circle",          "filled_circle",  "filled_square",
                                                        "filled_triangle", "filled_diamond", "cross"};

@@ -270,9 +270,9 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
     }
     HeadCard head{tone_of(made), {end_in_words(made)}, {}};
     if (result.onset_time) {
-        // A crack before anything can be seen to move belongs to the settling of the first steps.
-        const bool crack =
-            result.first_crack && (made.frames.size() < 2 || result.first_crack->time >= made.frames[1].time);
+        // A crack long before anything can be seen to move belongs to the settling of the first steps.
+        constexpr double settled = 0.01;  // of the time to onset
+        const bool crack = result.first_crack && result.first_crack->time >= settled * *result.onset_time;
         head.sentences.push_back(
             "The first block passed the thresholds of failure at " +
             value_in_words(*result.onset_time, Dimension::time) +
