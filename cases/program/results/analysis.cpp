@@ -2,6 +2,7 @@
 
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <iterator>
