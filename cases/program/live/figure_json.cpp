@@ -1,23 +1,12 @@
 #include "cases/program/live/figure_json.hpp"
 
+#include "parameters/fields.hpp"
+
 #include <cmath>
 
 namespace delabole {
 
 namespace {
-
-constexpr std::array<std::string_view, 13> colour_words{"black",  "blue",      "vermilion",     "green",      "orange",
-                                                        "purple", "sky",       "grey",          "light_grey", "rock",
-                                                        "white",  "pale_blue", "pale_vermilion"};
-constexpr std::array<std::string_view, 3> dash_words{"solid", "dashed", "dotted"};
-constexpr std::array<std::string_view, 6> marker_words{"circle",          "filled_circle",  "filled_square",
-                                                       "filled_triangle", "filled_diamond", "cross"};
-constexpr std::array<std::string_view, 3> align_words{"left", "centre", "right"};
-
-template <class Words, class Enum>
-std::string word(const Words& words, Enum value) {
-    return std::string(words[static_cast<std::size_t>(value)]);
-}
 
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -39,8 +28,8 @@ Json json_of(const Line& line) {
     return {{"kind", "line"},
             {"points", line_of(line.points)},
             {"legend", line.legend},
-            {"colour", word(colour_words, line.colour)},
-            {"dash", word(dash_words, line.dash)},
+            {"colour", word_of(line.colour)},
+            {"dash", word_of(line.dash)},
             {"width", line.width}};
 }
 
@@ -48,8 +37,8 @@ Json json_of(const Points& points) {
     return {{"kind", "points"},
             {"points", line_of(points.points)},
             {"legend", points.legend},
-            {"colour", word(colour_words, points.colour)},
-            {"marker", word(marker_words, points.marker)},
+            {"colour", word_of(points.colour)},
+            {"marker", word_of(points.marker)},
             {"size", points.size}};
 }
 
@@ -57,7 +46,7 @@ Json json_of(const Region& region) {
     return {{"kind", "region"},
             {"points", line_of(region.outline)},
             {"legend", region.legend},
-            {"colour", word(colour_words, region.colour)},
+            {"colour", word_of(region.colour)},
             {"opacity", region.opacity}};
 }
 
@@ -66,7 +55,7 @@ Json json_of(const Boxes& boxes) {
     for (const Boxes::Box& box : boxes.boxes) {
         list.push_back(Json::array({point(box.lower_left), point(box.upper_right)}));
     }
-    return {{"kind", "boxes"}, {"boxes", list}, {"legend", boxes.legend}, {"colour", word(colour_words, boxes.colour)}};
+    return {{"kind", "boxes"}, {"boxes", list}, {"legend", boxes.legend}, {"colour", word_of(boxes.colour)}};
 }
 
 Json json_of(const HeatMap& map) {
@@ -89,7 +78,7 @@ Json json_of(const Arrows& arrows) {
     return {{"kind", "arrows"},
             {"shafts", list},
             {"legend", arrows.legend},
-            {"colour", word(colour_words, arrows.colour)},
+            {"colour", word_of(arrows.colour)},
             {"width", arrows.width}};
 }
 
@@ -107,8 +96,8 @@ Json json_of(const Axis& axis) {
 Json json_of(const Label& label) {
     return {{"at", point(label.at)},
             {"text", label.text},
-            {"align", word(align_words, label.align)},
-            {"colour", word(colour_words, label.colour)},
+            {"align", word_of(label.align)},
+            {"colour", word_of(label.colour)},
             {"raise", label.raise},
             {"boxed", label.boxed},
             {"size", label.size}};
@@ -131,7 +120,7 @@ Json json_of(const Figure& figure) {
     for (const Arrow& arrow : figure.arrows) {
         json["arrows"].push_back({{"from", point(arrow.from)},
                                   {"to", point(arrow.to)},
-                                  {"colour", word(colour_words, arrow.colour)},
+                                  {"colour", word_of(arrow.colour)},
                                   {"both_heads", arrow.both_heads}});
     }
     return json;
