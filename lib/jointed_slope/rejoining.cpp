@@ -9,9 +9,9 @@ namespace delabole {
 
 namespace {
 
-// What cannot be merged is taken away as crushed where it is this small and this short, as shares of the middling
-// block's area and size: whatever rested on it still rests on others. Kept, it would slip out by itself before the
-// slope fails.
+// A sliver that cannot be merged is taken away as crushed if it is below both limits, which are shares of the middling
+// block's area and size. Blocks that rested on so small a sliver still rest on others. If it were kept, it would slip
+// out by itself before the slope fails.
 constexpr double greatest_crushed_share = 0.02;
 constexpr double greatest_crushed_length = 0.5;
 

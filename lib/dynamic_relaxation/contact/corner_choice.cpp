@@ -132,6 +132,19 @@ class Corners {
     std::vector<char> concerned_;
 };
 
+// Calls function(contacts, least) for each pair of blocks: `least` is the force, N/m, above which a pair relies on a
+// corner on a corner.
+template <class Function>
+void for_each_pair(const ContactList& list, const std::vector<double>& weight, const Function& function) {
+    for (std::size_t begin = 0, end = 0; begin < list.contact.size(); begin = end) {
+        const BlockPair pair = list.contact.blocks()[begin].pair();
+        while (end < list.contact.size() && list.contact.blocks()[end].pair() == pair) {
+            ++end;
+        }
+        function(ContactRange{begin, end}, relied_on * std::min(weight[pair.first], weight[pair.second]));
+    }
+}
+
 }  // namespace
 
 bool is_on_corner(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact,
@@ -162,25 +175,20 @@ bool relies_on_corners(const CornerMotion& blocks, const std::vector<double>& we
 std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std::vector<double>& weight,
                                            ContactList& list) {
     Corners corners(blocks, list);
-    for (std::size_t begin = 0, end = 0; begin < list.contact.size(); begin = end) {
-        const BlockPair pair = list.contact.blocks()[begin].pair();
-        while (end < list.contact.size() && list.contact.blocks()[end].pair() == pair) {
-            ++end;
-        }
-        const double lighter = std::min(weight[pair.first], weight[pair.second]);
+    for_each_pair(list, weight, [&](const ContactRange& of_pair, double least) {
         // Where both edges bear, the one with the larger force gives way, whatever the order of blocks and corners.
         std::vector<std::pair<double, std::size_t>> relied;
-        for (std::size_t index = begin; index < end; ++index) {
+        for (std::size_t index = of_pair.begin; index < of_pair.end; ++index) {
             relied.emplace_back(-corners.relied_on(index), index);
         }
         std::ranges::sort(relied);
         for (const auto& [force, index] : relied) {
             const ContactMemory memory = list.memory[index];
-            if (!memory.tried && !memory.insists && corners.relied_on(index) > relied_on * lighter) {
-                corners.exchange(index, {begin, end});
+            if (!memory.tried && !memory.insists && corners.relied_on(index) > least) {
+                corners.exchange(index, of_pair);
             }
         }
-    }
+    });
     return corners.concerned([&](std::uint32_t block) { return !std::isfinite(weight[block]); });
 }
 
@@ -198,19 +206,14 @@ std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& li
 bool give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight, ContactList& list) {
     Corners corners(blocks, list);
     bool any = false;
-    for (std::size_t begin = 0, end = 0; begin < list.contact.size(); begin = end) {
-        const BlockPair pair = list.contact.blocks()[begin].pair();
-        while (end < list.contact.size() && list.contact.blocks()[end].pair() == pair) {
-            ++end;
-        }
-        const double least = relied_on * std::min(weight[pair.first], weight[pair.second]);
-        for (std::size_t index = begin; index < end; ++index) {
+    for_each_pair(list, weight, [&](const ContactRange& of_pair, double least) {
+        for (std::size_t index = of_pair.begin; index < of_pair.end; ++index) {
             if (corners.relied_on(index) > least) {
-                corners.release(index, {begin, end});
+                corners.release(index, of_pair);
                 any = true;
             }
         }
-    }
+    });
     return any;
 }
 

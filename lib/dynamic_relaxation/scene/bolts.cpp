@@ -43,7 +43,7 @@ bool is_there_at_first(const RelaxationScene& scene, std::size_t block) {
                                 [&](const Removal& removal) { return removal.block == block && removal.time < 0; });
 }
 
-// Where the outline is farthest to the left at this height; not finite above it and below it.
+// Returns the least x of the outline at this height. Above and below the outline the result is not finite.
 double face_at(const std::vector<SectionPoint>& outline, double y) {
     double face = std::numeric_limits<double>::infinity();
     for (std::size_t corner = 0; corner < outline.size(); ++corner) {
@@ -66,10 +66,10 @@ std::vector<RelaxationBolt> all_bolts(const Relaxation& model) {
         return bolts;
     }
     const std::vector<SectionPoint>& outline = slope->geometry.outline;
+    const double lowest = std::ranges::min(outline, {}, &SectionPoint::y).y;
     for (const BoltRows& support : model.support) {
         for (int row = 0; row < support.rows; ++row) {
-            const double y =
-                std::ranges::min(outline, {}, &SectionPoint::y).y + support.lowest_height + row * support.row_spacing;
+            const double y = lowest + support.lowest_height + row * support.row_spacing;
             bolts.push_back({face_at(outline, y), y, support.bar});
         }
     }

@@ -57,7 +57,7 @@ TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
     }
     EXPECT_GT(stand, 0U);
     EXPECT_GT(held_by_corners, 0U);
-    // What does not stand may be caught by corners on its way: seed 89 is, turned, by rounding.
+    // Corners may catch blocks that do not stand, and rounding decides whether they do: seed 89 is caught if turned.
     EXPECT_LE(caught_otherwise, seeds().size() / 9);
     std::cout << stand << " stand, " << held_by_corners << " are held by corners\n";
     for (const auto& [name, count] : counts) {

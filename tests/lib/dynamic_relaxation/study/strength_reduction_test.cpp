@@ -245,7 +245,7 @@ TEST(StrengthReduction, ATipAtTheFaceLocksNoJoint) {
     study.critical = ReductionSearch{};
     const CriticalAnswer critical = find_critical(study);
     ASSERT_EQ(critical.status, CriticalStatus::found);
-    // What slides on the base alone has 0.735; steep joints through it can only weaken it.
+    // A slope cut by the base joint alone has a factor of 0.735. Further joints cannot make it stronger.
     EXPECT_LT(critical.stands, friction / (79.61361 / 107.060036) + half_bracket);
     std::get<RelaxationSlope>(study.model.scene).geometry.sliver_share = 0;
     EXPECT_NEAR(find_critical(study).value(), critical.value(), 2 * half_bracket);
