@@ -91,7 +91,7 @@ void describe(std::vector<double> values, TestFinding& finding) {
 class QuantityJudge {
   public:
     QuantityJudge(const FitProblem& problem, const FitResult& result, ProgressMeter& progress, StopFlag stop)
-        : problem_(problem), result_(result), progress_(progress), stop_(stop) {}
+        : problem_(problem), result_(result), weights_(weigh(result)), progress_(progress), stop_(stop) {}
 
     TestFinding operator()(const ConclusionTest& test, const ClaimOfQuantity& claim) const {
         TestFinding finding;
@@ -117,6 +117,11 @@ class QuantityJudge {
             return finding;
         }
         count(test, std::move(values), finding);
+        const MechanismWeight& weight = weights_[static_cast<std::size_t>(fit - result_.mechanisms.begin())];
+        if (fit->posterior && weight.probability + 2 * weight.standard_error < least_probability) {
+            finding.improbable = weight.probability;
+            finding.verdict = ConclusionVerdict::undecided;
+        }
         return finding;
     }
 
@@ -150,6 +155,7 @@ class QuantityJudge {
 
     const FitProblem& problem_;
     const FitResult& result_;
+    std::vector<MechanismWeight> weights_;
     ProgressMeter& progress_;
     StopFlag stop_;
 };

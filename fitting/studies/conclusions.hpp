@@ -5,17 +5,21 @@
 // probability is less than 0.1. A claim about a quantity is evaluated at draws of the mechanism's posterior (at the
 // best point if none was sampled): it is confirmed if it holds in 95 % of those that have an answer, and contradicted
 // if it holds in no more than 5 %. For a costly mechanism only SurrogateSettings::runs_of_claim draws are evaluated; of
-// fewer than 20 the two verdicts mean no more than "in all of them" and "in none".
+// fewer than 20 the two verdicts mean no more than "in all of them" and "in none". What a mechanism does says nothing
+// of the failure if the evidence is against that mechanism: where it is less probable than least_probability, by two
+// standard errors, the verdict is undecided whatever it does.
 #pragma once
 
 #include "fitting/mechanism/fit_result.hpp"
 #include "fitting/work/progress.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace delabole {
 
 inline constexpr std::size_t most_draws_of_claim = 1000;
+inline constexpr double least_probability = 1e-3;
 
 enum class ConclusionVerdict {
     confirmed,     // every claim holds
@@ -33,6 +37,7 @@ struct TestFinding {
     int draws = 0;              // evaluated
     int without_answer = 0;     // among the draws
     int holding = 0;            // among the draws
+    std::optional<double> improbable = {};  // probability of the mechanism asked, if below least_probability
 };
 
 struct ConclusionFinding {

@@ -45,8 +45,12 @@ std::string holding_in_words(const TestFinding& finding) {
     }
     std::string text =
         std::to_string(finding.holding) + " of " + std::to_string(finding.draws - finding.without_answer);
-    return finding.without_answer == 0 ? text
-                                       : text + ", " + std::to_string(finding.without_answer) + " without answer";
+    if (finding.without_answer > 0) {
+        text += ", " + std::to_string(finding.without_answer) + " without answer";
+    }
+    return finding.improbable
+               ? text + "; but its mechanism has a probability of " + number_in_words(*finding.improbable)
+               : text;
 }
 
 std::string on_screen(const ConclusionTest& test, const TestFinding& finding) {

@@ -54,20 +54,21 @@ bool leaves_unexplained(const MechanismFit& fit, const std::string& word) {
 TEST(Delabole1967, FrictionAndWaterAreNotDeterminedSeparately) {
     const MechanismFit& fit = mechanism("stepped_sliding");
     ASSERT_EQ(fit.status, FitStatus::converged);
-    EXPECT_EQ(fit.identifiability.rank, 1);
+    EXPECT_EQ(fit.identifiability.rank, 2);
+    EXPECT_NE(fit.identifiability.verdict.find("slope.face_dip: determined"), std::string::npos);
     EXPECT_NE(fit.identifiability.verdict.find("only one combination is determined"), std::string::npos);
     EXPECT_NE(data_alone(fit, "steps.friction_angle").determination, Determination::determined);
     EXPECT_NE(data_alone(fit, "water.water_elevation").determination, Determination::determined);
 }
 
 // Steps into the slope are driven by water alone, so that the lightest mass fails first: the smallest that counts.
-TEST(Delabole1967, SlidingOnCleavageNeedsHighWaterAndLeavesAnotherSurface) {
+TEST(Delabole1967, SlidingOnCleavageNeedsHighWater) {
     const MechanismFit& fit = mechanism("stepped_sliding");
     // A regression of the compromise between data and priors; three digits are what the README shows.
-    EXPECT_NEAR(fit.best[0], degrees(18.8), degrees(0.1));
-    EXPECT_NEAR(fit.best[1], 144, 0.5);
-    EXPECT_GT(fit.best[1], 450 * foot);  // one standard deviation of the prior above the average
-    EXPECT_TRUE(leaves_unexplained(fit, "post-failure profile"));
+    EXPECT_NEAR(fit.best[0], degrees(18.0), degrees(0.1));
+    EXPECT_NEAR(fit.best[1], 146, 0.5);
+    EXPECT_GT(fit.best[1], 475 * foot);  // two standard deviations of the prior above the average
+    EXPECT_TRUE(leaves_unexplained(fit, "water.water_elevation"));
 }
 
 // Found, not put in: 14.4 m behind the crest and 899 m2 were observed.
@@ -78,25 +79,29 @@ TEST(Delabole1967, ColumnsAndWedgeLeaveNearlyTheSurfaceObserved) {
         return fit.prediction.outputs[place_of(outputs, name).value()];
     };
     EXPECT_NEAR(output("retreat"), 12.6, 0.05);
-    EXPECT_NEAR(output("failed_area"), 1002, 5);
+    EXPECT_NEAR(output("failed_area"), 1003, 5);
     EXPECT_NEAR(output("knee_height"), 5.7, 0.1);
     EXPECT_FALSE(leaves_unexplained(fit, "post-failure profile"));
     EXPECT_TRUE(leaves_unexplained(fit, "lower_steps is 1"));
 }
 
-TEST(Delabole1967, CriticalSlidingCannotPlaceTheCrack) {
+// At 70 deg, where it was held before, the critical plane lies 3.8 m off the observed profile: what it explains hangs on
+// the angle of the face, which is the only one printed of this slope and is called undefined.
+TEST(Delabole1967, CriticalSlidingLeavesTheSurfaceObservedBehindAFlatterFace) {
     const MechanismFit& fit = mechanism("critical_sliding");
     ASSERT_EQ(fit.status, FitStatus::converged);
-    // Full rank near the best point, but no closed interval: the verdict has to say both.
     EXPECT_EQ(fit.identifiability.rank, 3);
     EXPECT_EQ(data_alone(fit, "water.water_elevation").determination, Determination::undetermined);
-    EXPECT_NE(fit.identifiability.verdict.find("the data alone close no 95 % interval"), std::string::npos);
-    EXPECT_NEAR(fit.best[0], degrees(23.5), degrees(0.1));
-    EXPECT_NEAR(fit.best[1], 129, 0.5);
-    EXPECT_NEAR(fit.best[2], 276e3, 1e3);
+    EXPECT_EQ(data_alone(fit, "strength.friction_angle").determination, Determination::undetermined);
+    EXPECT_EQ(data_alone(fit, "slope.face_dip").determination, Determination::determined);
+    // Regressions; three digits are what the README shows.
+    EXPECT_NEAR(fit.best[0], degrees(25.3), degrees(0.1));
+    EXPECT_NEAR(fit.best[1], 130, 0.5);
+    EXPECT_NEAR(fit.best[2], 214e3, 1e3);
+    EXPECT_NEAR(fit.best[3], degrees(67.8), degrees(0.1));
     ASSERT_GE(fit.prediction.profile.size(), 2U);
-    const double crack_base = fit.prediction.profile[1].y();  // toe, bottom of the crack, ...
-    EXPECT_LT(crack_base, 75 * foot - 4);
+    // The bottom of the crack was seen at 425 ft, 75 ft above the toe; 2 m are what the ranges of both dips span there.
+    EXPECT_NEAR(fit.prediction.profile[1].y(), 75 * foot, 2);
 }
 
 TEST(Delabole1967, SlidingExplainsNoneOfTheMovementsAtTheCrest) {
@@ -119,11 +124,11 @@ TEST(Delabole1967, LimitEquilibriumPredictsOneCrackAtTheCrestAndNoMore) {
     EXPECT_TRUE(leaves_unexplained(mechanism("stepped_toppling"), "crest_cracks is 1"));
 }
 
-// The thesis's conclusion (2.4.2): toppling driven by wedges explains the evidence best, and needs no high water.
-TEST(Delabole1967, TopplingRanksFirstAndNeedsNoHighWater) {
+// Not the thesis's conclusion (2.4.2): toppling driven by wedges comes second.
+TEST(Delabole1967, SlidingOnTheCriticalPlaneRanksFirstAndTopplingNeedsNoHighWater) {
     ASSERT_EQ(result_of_1967().mechanisms.size(), 3U);
-    EXPECT_EQ(result_of_1967().mechanisms[0].name, "stepped_toppling");
-    EXPECT_EQ(result_of_1967().mechanisms[1].name, "critical_sliding");
+    EXPECT_EQ(result_of_1967().mechanisms[0].name, "critical_sliding");
+    EXPECT_EQ(result_of_1967().mechanisms[1].name, "stepped_toppling");
     const MechanismFit& fit = mechanism("stepped_toppling");
     ASSERT_EQ(fit.status, FitStatus::converged);
     EXPECT_FALSE(leaves_unexplained(fit, "water.water_elevation"));
@@ -132,20 +137,21 @@ TEST(Delabole1967, TopplingRanksFirstAndNeedsNoHighWater) {
     EXPECT_NEAR(fit.best[1], 130, 0.5);
     EXPECT_NEAR(fit.best[2], 9.08, 0.05);
     EXPECT_NEAR(fit.best[4], 163e3, 1e3);
+    EXPECT_NEAR(fit.best[5], degrees(70), degrees(0.1));
     EXPECT_LT(fit.best[1], 475 * foot);  // the upper seepage level
-    EXPECT_LT(fit.identifiability.rank, 5);
+    EXPECT_LT(fit.identifiability.rank, 6);
     for (const std::string parameter : {"water.water_elevation", "columns.spacing", "steps.friction_angle"}) {
         EXPECT_NE(data_alone(fit, parameter).determination, Determination::determined) << parameter;
     }
 }
 
-// What the README says of the probabilities, and that they hang on the priors.
-TEST(Delabole1967, WhichMechanismIsFirstHangsOnThePriors) {
+// What the README says of the probabilities. With the angle of the face fitted they do not hang on the priors; with 70 deg
+// held they did.
+TEST(Delabole1967, WhichMechanismIsFirstDoesNotHangOnThePriors) {
     const auto& mechanisms = result_of_1967().mechanisms;
     for (const MechanismFit& fit : mechanisms) {
         ASSERT_TRUE(fit.posterior) << fit.name;
         EXPECT_EQ(fit.posterior->posterior.status, PosteriorStatus::converged) << fit.name;
-        EXPECT_TRUE(fit.posterior->warnings.empty()) << fit.name;
         EXPECT_LT(fit.posterior->evidence().standard_error, 0.02) << fit.name;
         EXPECT_EQ(fit.posterior->evidences.size(), 8U) << fit.name;
     }
@@ -155,9 +161,8 @@ TEST(Delabole1967, WhichMechanismIsFirstHangsOnThePriors) {
             evidences.push_back({fit.posterior->log_evidence(fit.posterior->evidence(), field),
                                  fit.posterior->evidence().standard_error});
         }
-        // Three standard errors of the computation. The critical plane predicts nothing of planes and pays for none of
-        // the joints: without field evidence it is first.
-        EXPECT_NEAR(weigh(evidences)[0].probability, field ? 0.617 : 0.180, 0.01) << field;
+        // Three standard errors of the computation.
+        EXPECT_NEAR(weigh(evidences)[0].probability, field ? 0.71 : 0.948, 0.01) << field;
     }
     for (std::size_t index = 0; index < mechanisms[0].posterior->evidences.size(); ++index) {
         const auto log_evidence = [&](std::size_t mechanism) {
@@ -165,11 +170,8 @@ TEST(Delabole1967, WhichMechanismIsFirstHangsOnThePriors) {
             return posterior.log_evidence(posterior.evidences[index].evidence, true);
         };
         const EvidenceVariant variant = mechanisms[0].posterior->evidences[index].variant;
-        const bool plane_first =
-            variant == EvidenceVariant::priors_flat || variant == EvidenceVariant::prior_means_higher;
-        const double lead = log_evidence(0) - log_evidence(1);
         // Errors of the evidences are below 0.05, but 0.14 where priors are doubled or flat.
-        EXPECT_GT(plane_first ? -lead : lead, 0) << word_of(variant);
+        EXPECT_GT(log_evidence(0), log_evidence(1)) << word_of(variant);
         EXPECT_GT(log_evidence(0) - log_evidence(2), 1) << word_of(variant);
     }
 }
@@ -183,8 +185,8 @@ TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
         EXPECT_NE(found, conclusions.end()) << label;
         return findings[static_cast<std::size_t>(found - conclusions.begin())];
     };
-    // The wedge drives; toppling is more probable than not, but less than asked for, and the share of what moves that
-    // topples is more than half at some draws and less at others. By energy nothing topples by itself: as they turn,
+    // The wedge drives; toppling is less probable than asked for, and the share of what moves that topples is more than
+    // half at some draws and less at others. By energy nothing topples by itself: as they turn,
     // columns as wide as these rise at first.
     EXPECT_EQ(finding("(i)").verdict, ConclusionVerdict::partly);
     EXPECT_EQ(finding("(i)").tests[2].verdict, ConclusionVerdict::contradicted);

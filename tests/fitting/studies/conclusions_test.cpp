@@ -26,8 +26,8 @@ ConclusionTest claim_of(ClaimOfQuantity quantity, Relation relation, double limi
 }
 
 // y = x1 + x2 and z = x1 under a standard normal prior of x1; x2 is 0 unless a condition says otherwise. y is observed
-// so loosely that the posterior is the prior. The second mechanism is a hundred times less likely.
-FitProblem two_mechanisms() {
+// so loosely that the posterior is the prior. The second mechanism is less likely.
+FitProblem two_mechanisms(double less_likely = 100) {
     const ModelInterface model = formula_model(2, {"y", "z"}, [](std::span<const double> x) {
         return answer({x[0] + x[1], x[0]});
     });
@@ -39,8 +39,8 @@ FitProblem two_mechanisms() {
     problem.mechanisms[0].model = formula_model(2, {"y", "z", "w"}, [](std::span<const double> x) {
         return answer({x[0] + x[1], x[0], 0});
     });
-    problem.mechanisms[1].model = formula_model(2, {"y", "z", "w"}, [](std::span<const double> x) {
-        return answer({x[0] + x[1], x[0], std::sqrt(2 * std::log(100.0))});
+    problem.mechanisms[1].model = formula_model(2, {"y", "z", "w"}, [less_likely](std::span<const double> x) {
+        return answer({x[0] + x[1], x[0], std::sqrt(2 * std::log(less_likely))});
     });
     problem.settings.starts = 2;
     problem.posterior.emplace();
@@ -90,6 +90,21 @@ TEST(Conclusions, AProbabilityAtItsLimitIsUndecided) {
     EXPECT_EQ(at(-3), Verdict::confirmed);
     EXPECT_EQ(at(0), Verdict::undecided);
     EXPECT_EQ(at(3), Verdict::contradicted);
+}
+
+TEST(Conclusions, WhatAMechanismDoesThatIsOutDecidesNothing) {
+    for (const double less_likely : {100.0, 10'000.0}) {
+        const FitProblem problem = two_mechanisms(less_likely);
+        for (const char* mechanism : {"likely", "unlikely"}) {
+            const TestFinding finding =
+                findings_of(problem, {claim_of(ClaimOfQuantity{mechanism, "z", {}, {}}, Relation::at_least, -3)})[0];
+            const bool out = mechanism == std::string("unlikely") && less_likely > 100;
+            EXPECT_EQ(finding.verdict, out ? Verdict::undecided : Verdict::confirmed) << mechanism << less_likely;
+            EXPECT_EQ(finding.improbable.has_value(), out) << mechanism << less_likely;
+            // The draws are counted all the same. A standard normal number is over -3 in 99.9 % of them.
+            EXPECT_GT(finding.holding, finding.draws * 0.95) << mechanism << less_likely;
+        }
+    }
 }
 
 TEST(Conclusions, QuantitiesAreAskedAtDrawsOfThePosterior) {
