@@ -85,8 +85,8 @@ TEST(Delabole1967, ColumnsAndWedgeLeaveNearlyTheSurfaceObserved) {
     EXPECT_TRUE(leaves_unexplained(fit, "lower_steps is 1"));
 }
 
-// At 70 deg, where it was held before, the critical plane lies 3.8 m off the observed profile: what it explains hangs on
-// the angle of the face, which is the only one printed of this slope and is called undefined.
+// At 70 deg, where it was held before, the critical plane lies 3.8 m off the observed profile: what it explains hangs
+// on the angle of the face, which is the only one printed of this slope and is called undefined.
 TEST(Delabole1967, CriticalSlidingLeavesTheSurfaceObservedBehindAFlatterFace) {
     const MechanismFit& fit = mechanism("critical_sliding");
     ASSERT_EQ(fit.status, FitStatus::converged);
@@ -145,8 +145,8 @@ TEST(Delabole1967, SlidingOnTheCriticalPlaneRanksFirstAndTopplingNeedsNoHighWate
     }
 }
 
-// What the README says of the probabilities. With the angle of the face fitted they do not hang on the priors; with 70 deg
-// held they did.
+// What the README says of the probabilities. With the angle of the face fitted they do not hang on the priors; with 70
+// deg held they did.
 TEST(Delabole1967, WhichMechanismIsFirstDoesNotHangOnThePriors) {
     const auto& mechanisms = result_of_1967().mechanisms;
     for (const MechanismFit& fit : mechanisms) {
