@@ -391,7 +391,7 @@ run bash -c "\"$program\" ${command#delabole }"
 expect_status 0
 delabole run my_slope.toml --no-report
 expect_status 0
-expect_output 'by strength reduction: '
+expect_output ': fails.'
 expect "the face is that of the study" grep -qF 'x = "4.37 m", y = "12 m"' my_slope.toml  # 12 m / tan 70 deg
 expect "apparent dips are the cuts', but of the set that strikes along the section" test \
     "$(grep -o 'dip = "[^ ]*' my_slope.toml | cut -d'"' -f2 | xargs printf '%.1f ')" == \
