@@ -223,11 +223,10 @@ Figure mode_chart_figure(const ModeChart& chart) {
         mark_statements(chart.printed, unit, unit, figure);
         name_regions(chart, figure);
     }
-    // What a region is called inside it is not said again below.
+    // Its name inside a region is not said again below.
     for (Series& series : figure.series) {
-        if (auto* region = std::get_if<Region>(&series);
-            region != nullptr &&
-            std::ranges::find(figure.labels, region->legend, &Label::text) != figure.labels.end()) {
+        auto* region = std::get_if<Region>(&series);
+        if (region != nullptr && std::ranges::count(figure.labels, region->legend, &Label::text) > 0) {
             region->legend.clear();
         }
     }
