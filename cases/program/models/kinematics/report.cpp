@@ -270,12 +270,14 @@ Table count_table(const PoleCounts& counts) {
              row("poles that belong to no set", counts.without_set, counts.count)}};
 }
 
-Table number_of_sets_table(const std::vector<double>& criterion) {
-    Table table{"Evidence for the number of sets", {"sets"_number, "Bayesian information criterion"_number}};
+Table number_of_sets_table(const std::vector<double>& criterion, std::size_t taken) {
+    Table table{"Evidence for the number of sets, each of three poles or more",
+                {"sets"_number, "Bayesian information criterion"_number}};
     const double least = *std::ranges::min_element(criterion);
     for (std::size_t sets = 0; sets < criterion.size(); ++sets) {
         const double above = criterion[sets] - least;
-        table.rows.push_back({std::to_string(sets), above > 0 ? "+" + human_number(above, 4) : "least: taken"});
+        table.rows.push_back({std::to_string(sets),
+                              (above > 0 ? "+" + human_number(above, 4) : "least") + (sets == taken ? ": taken" : "")});
     }
     return table;
 }
@@ -312,7 +314,7 @@ void append_measured(const KinematicsResult& result, const StereonetDrawing& dra
     report.blocks.emplace_back(count_table(*result.poles));
     report.blocks.emplace_back(statistics_table(result));
     if (!result.information_criterion.empty()) {
-        report.blocks.emplace_back(number_of_sets_table(result.information_criterion));
+        report.blocks.emplace_back(number_of_sets_table(result.information_criterion, result.joint_set.size()));
     }
     report.blocks.emplace_back(
         folder.draw(kamb_figure(drawing), "stereonet_kamb",
