@@ -232,10 +232,16 @@ PoleClusters find_clusters(const std::vector<Orientation>& planes, const std::ve
     Mixture best = mixture;
     PoleClusters clusters;
     clusters.information_criterion = {0};
+    double least = 0;
     for (std::size_t sets = 1; sets <= most_sets && 4 * sets < planes.size(); ++sets) {
         mixture = fit.with_another(mixture);
         const double criterion = -2 * mixture.log_likelihood + 4 * static_cast<double>(sets) * std::log(count);
-        if (criterion < *std::ranges::min_element(clusters.information_criterion)) {
+        // Concentrated on one or two poles, a set would be likelier than the background at which they stand.
+        constexpr double fewest_poles = 3;
+        const bool are_sets = std::ranges::all_of(
+            mixture.sets, [&](const PoleCluster& set) { return set.share * count >= fewest_poles - 0.5; });
+        if (are_sets && criterion < least) {
+            least = criterion;
             best = mixture;
         }
         clusters.information_criterion.push_back(criterion);

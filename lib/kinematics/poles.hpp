@@ -73,7 +73,8 @@ struct PoleClusters {
     std::vector<double> information_criterion;   // Bayesian, of 0, 1, 2 ... sets, less that of none; the least decides
 };
 
-// The number of sets, at most `most_sets`, is that of the least Bayesian information criterion, -2 log L + 4 k log N.
+// The number of sets, at most `most_sets`, is that of the least Bayesian information criterion, -2 log L + 4 k log N,
+// among those whose sets all have three poles or more.
 // For each number the parameters are those of greatest likelihood that expectation-maximisation finds, starting from
 // the sets of one fewer and a new one at one of the densest of their unexplained poles. Deterministic. K is limited to
 // 1e4 (a scatter of 0.8 deg, the resolution of a compass). A pole belongs to its most probable set. Time grows with the

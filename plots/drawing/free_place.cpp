@@ -12,7 +12,7 @@ namespace delabole {
 namespace {
 
 Rectangle place_of(const Label& label, const Point& px_per_unit) {
-    constexpr double mean_letter = 0.58 * text_height;  // mean width of a letter, px
+    constexpr double mean_letter = 0.64 * text_height;  // width of a digit, px; letters are narrower on the average
     const double width = label.size * mean_letter * static_cast<double>(letter_count(label.text)) / px_per_unit.x();
     const double height = label.size * 1.1 * text_height / px_per_unit.y();
     const double share = label.align == Label::Align::left ? 0 : label.align == Label::Align::centre ? 0.5 : 1;

@@ -223,6 +223,13 @@ Figure mode_chart_figure(const ModeChart& chart) {
         mark_statements(chart.printed, unit, unit, figure);
         name_regions(chart, figure);
     }
+    // Its name inside a region is not said again below.
+    for (Series& series : figure.series) {
+        auto* region = std::get_if<Region>(&series);
+        if (region != nullptr && std::ranges::count(figure.labels, region->legend, &Label::text) > 0) {
+            region->legend.clear();
+        }
+    }
     return figure;
 }
 

@@ -66,7 +66,7 @@ std::optional<Figure> evidence_figure(const FitResult& result) {
         double end = 0;
         const std::array<Part, 4> parts = parts_of(posterior);
         for (std::size_t index = 0; index < parts.size(); ++index) {
-            boxes[index].legend = parts[index].legend;
+            boxes[index].legend = parts[index].length != 0 ? parts[index].legend : boxes[index].legend;
             boxes[index].colour = parts[index].colour;
             boxes[index].boxes.push_back({{end - parts[index].length, height - 0.3}, {end, height + 0.3}});
             end -= parts[index].length;

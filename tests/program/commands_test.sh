@@ -80,6 +80,9 @@ sed -i '/^\[critical\]/,$d' unbolted.toml
 delabole run row_of_one.toml single_bolt.toml --no-report
 expect_output 'Bolt 1 pulls most at the end'
 expect "a row of one is the same as the single bolt" cmp results/row_of_one/results.csv results/single_bolt/results.csv
+{ "$program" init relaxation; printf '[[support]]\nrows = 2\nlowest_height = "1 m"\nrow_spacing = "1 m"\n'; echo -e "$bar"; } >rows_in_a_row.toml
+delabole check rows_in_a_row.toml
+expect_error 'in other scenes each bolt is a [[bolt]] with head_x and head_y'
 { cat row_of_one.toml; printf '[support_design]\nfactor_of_safety = 1.2\ncost_per_bolt = 150\ncost_per_metre = 40\nchoose = [{ input = "support[1].rows", from = 1, to = 2, points = 2 }]\n'; } >designed_blocks.toml
 delabole check designed_blocks.toml
 expect_error 'support_design: belongs to plane_failure and stepped_base'
@@ -354,6 +357,7 @@ for model in plane_failure stepped_base single_block block_row tilted_column kin
     expect_status 0
     expect_silence out
     expect "the same in a file" cmp "$model.toml" "written_$model.toml"
+    expect "25 lines at most" test "$(wc -l <"$model.toml")" -le 25
     delabole check "$model.toml"
     expect_status 0
     delabole run "$model.toml" --out "result_$model"
@@ -366,20 +370,53 @@ for model in plane_failure stepped_base single_block block_row tilted_column kin
     expect_only_numbers "result_$model"
     expect_zeros_are_zeros "result_$model"
 done
+for name in stepped_path relaxation jointed_slope; do
+    expect "$name: 25 lines at most" test "$("$program" init "$name" | wc -l)" -le 25
+done
 for study in fit sensitivity; do
     delabole init "$study" --out "$study.toml"
     expect_status 0
     delabole "$study" "$study.toml" --out "result_$study"
     expect_status 0
 done
-delabole init jointed_slope
-expect "a page at most" test "$(wc -l <"$scratch/out")" -le 30
-cp "$scratch/out" jointed_slope.toml
+delabole init jointed_slope --out jointed_slope.toml
 delabole run jointed_slope.toml --no-report
 expect_status 0  # a starting case has an answer
 expect_output 'FS 0.83'
 
+title "init: the joint sets found in measured poles cut a slope, by the command that their report says"
+delabole run "$source_folder/cases/kinematics/road_cut_poles.toml" --out "poles of a cut"
+command=$(grep -o "delabole init jointed_slope --sets .* --out my_slope.toml" "poles of a cut/report.html" | sed "s/&#39;/'/g")
+run bash -c "\"$program\" ${command#delabole }"
+expect_status 0
+delabole run my_slope.toml --no-report
+expect_status 0
+expect_output ': fails.'
+expect "the face is that of the study" grep -qF 'x = "4.37 m", y = "12 m"' my_slope.toml  # 12 m / tan 70 deg
+expect "apparent dips are the cuts', but of the set that strikes along the section" test \
+    "$(grep -o 'dip = "[^ ]*' my_slope.toml | cut -d'"' -f2 | xargs printf '%.1f ')" == \
+    "$(awk -F, 'NR > 1 && $1 != "set_3" { printf "%.1f ", $4 }' 'poles of a cut/joint_sets.csv')"
+expect "which is named" grep -qF 'strike within 30 deg of it: "set_3".' my_slope.toml
+delabole init jointed_slope --sets "$source_folder/cases/kinematics/road_cut_poles.toml"
+expect "the case does as well as its results" cmp "$scratch/out" my_slope.toml
+delabole init jointed_slope --sets good.toml
+expect_status 2
+expect_error 'joint sets are those of one of model kinematics'
+delabole init wedge --sets "poles of a cut"
+expect_status 2
+expect_error '--sets belongs to jointed_slope, not to wedge'
+printf '[[joint_set]]\nname = "only"\ndip = "80 deg"\ndip_direction = "185 deg"\n' |
+    cat <(sed '/^joint_set = \[/,/^\]/d' kinematics.toml) - >one_set.toml
+delabole init jointed_slope --sets one_set.toml
+expect_status 2
+expect_error 'no joint set crosses the section across the face'
+
 title "inputs and outputs are listed for a model and for a case, and as JSON"
+for name in jointed_slope fit sensitivity support; do
+    delabole inputs "$name"
+    expect_status 0
+    expect_output 'friction_angle '
+done
 delabole inputs plane_failure
 expect_output 'strength.friction_angle '
 delabole inputs good.toml --json

@@ -3,6 +3,7 @@
 #include "cases/program/case/model_outputs.hpp"
 #include "cases/program/case/starting_cases.hpp"
 #include "cases/program/commands/commands.hpp"
+#include "cases/program/models/kinematics/slope_of_sets.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -95,18 +97,39 @@ ExitCode show_command(const std::filesystem::path& path, const Options& options)
 
 namespace {
 
-// The case in that file, or the template of the model with that name.
+// The case in that file, the template of the model with that name, or the starting case with that name.
 CaseFile case_or_model(const std::string& what, const Options& options) {
     const std::vector<std::string> models = model_names();
     if (std::ranges::find(models, what) != models.end()) {
         return parse_case(commented_template(what), what, settings_of(options));
     }
+    const std::vector<std::string> names = starting_case_names();
+    if (std::ranges::find(names, what) != names.end()) {
+        return parse_case(starting_case(what), what, settings_of(options));
+    }
     std::error_code ignored;
     if (!what.ends_with(".toml") && !std::filesystem::exists(what, ignored)) {
-        throw UsageError("'" + what + "' is neither a model (" + choices(models) + ") nor a case file" +
-                         suggestion(what, models));
+        throw UsageError("'" + what + "' is neither a name that init takes (" + choices(names) + ") nor a case file" +
+                         suggestion(what, names));
     }
     return read_case(what, settings_of(options));
+}
+
+// A slope cut by the joint sets of a study, which is given by its case or its result folder.
+std::string slope_with_sets(const std::filesystem::path& path) {
+    std::error_code ignored;
+    const CaseFile file = read_case(std::filesystem::is_directory(path, ignored) ? path / "resolved.toml" : path);
+    const auto* study = std::get_if<KinematicsStudy>(&file.model);
+    if (study == nullptr) {
+        throw UsageError("init: --sets " + path.string() + ": is a case of model " +
+                         std::string(model_name(file.model)) + "; joint sets are those of one of model kinematics");
+    }
+    refuse_impossible(file);
+    try {
+        return jointed_slope_of(*study, analyse(*study));
+    } catch (const std::invalid_argument& error) {
+        throw UsageError("init: --sets " + path.string() + ": " + error.what());
+    }
 }
 
 void print(const std::vector<Quantity>& quantities, const std::string& text, const Options& options) {
@@ -141,13 +164,19 @@ ExitCode outputs_command(const std::string& what, const Options& options) {
     return ExitCode::ok;
 }
 
-ExitCode init_command(const std::string& name, const Options& options) {
+ExitCode init_command(const CaseToStart& start, const Options& options) {
+    const std::string& name = start.name;
     const std::vector<std::string> names = starting_case_names();
     if (std::ranges::find(names, name) == names.end()) {
         throw UsageError("init: no case to start from is named '" + name + "'; there is " + choices(names) +
                          suggestion(name, names));
     }
-    const std::string text = options.full ? commented_template(name) : starting_case(name);
+    if (!start.sets.empty() && name != "jointed_slope") {
+        throw UsageError("init: --sets belongs to jointed_slope, not to " + name);
+    }
+    const std::string text = !start.sets.empty() ? slope_with_sets(start.sets)
+                             : options.full      ? commented_template(name)
+                                                 : starting_case(name);
     if (options.out.empty()) {
         std::cout << text;
         return ExitCode::ok;

@@ -24,7 +24,13 @@ ExitCode compare_command(const Paths& cases, const Options& options);
 ExitCode live_command(const std::filesystem::path& path, const Options& options);
 ExitCode check_command(const Paths& cases, const Options& options);
 ExitCode show_command(const std::filesystem::path& path, const Options& options);
-ExitCode init_command(const std::string& name, const Options& options);
+// A case to start from; `sets`, if not empty, is the case or the result folder of a study whose joint sets cut the
+// slope.
+struct CaseToStart {
+    std::string name;
+    std::filesystem::path sets;
+};
+ExitCode init_command(const CaseToStart& start, const Options& options);
 // Lists the inputs of a model, given by its name or by a case file.
 ExitCode inputs_command(const std::string& what, const Options& options);
 ExitCode outputs_command(const std::string& what, const Options& options);

@@ -125,11 +125,8 @@ std::string reproduce_help() {
 
 // Words that a command accepts as its argument besides files.
 std::vector<std::string> words_for(const std::string& command) {
-    if (command == "init") {
+    if (command == "init" || command == "inputs" || command == "outputs") {
         return delabole::starting_case_names();
-    }
-    if (command == "inputs" || command == "outputs") {
-        return delabole::model_names();
     }
     std::vector<std::string> words;
     if (command == "reproduce") {
@@ -182,6 +179,7 @@ struct Program {
     Paths cases;
     std::filesystem::path one_case;
     std::string word;
+    delabole::CaseToStart start;
     std::function<ExitCode()> chosen;
 
     explicit Program(const delabole::Ranks& ranks) {
@@ -334,10 +332,16 @@ struct Program {
                  common, "show cases/delabole_1967/delabole_1967.toml", delabole::show_command, one_case);
 
         CLI::App* init = app.add_subcommand("init", "Write a short case to start from, to standard output or --out");
-        init->add_option("NAME", word, delabole::choices(delabole::starting_case_names()))->required();
+        init->add_option("NAME", start.name, delabole::choices(delabole::starting_case_names()))->required();
         init->add_flag("--full", options.full, "Every key that the model knows, with its meaning and range");
         init->add_option("--out", options.out, "File to write; an existing one is not overwritten")->type_name("FILE");
-        complete(init, 0, "init plane_failure --out my_slope.toml", delabole::init_command, word);
+        init->add_option(
+                "--sets", start.sets,
+                "jointed_slope: cut it by the joint sets of this case of model kinematics, or of the one whose "
+                "result folder this is")
+            ->type_name("CASE")
+            ->excludes("--full");
+        complete(init, 0, "init plane_failure --out my_slope.toml", delabole::init_command, start);
 
         add_list("inputs", "List what can be set, fitted or varied: names, values, ranges, meanings, sources",
                  delabole::inputs_command);
@@ -348,7 +352,8 @@ struct Program {
     void add_list(const std::string& name, const std::string& meaning,
                   ExitCode (*list)(const std::string& what, const Options& options)) {
         CLI::App* command = app.add_subcommand(name, meaning);
-        command->add_option("WHAT", word, "A case file, or a model: " + delabole::choices(delabole::model_names()))
+        command
+            ->add_option("WHAT", word, "A case file, or one of " + delabole::choices(delabole::starting_case_names()))
             ->required();
         complete(command, common, name + " plane_failure", list, word);
     }

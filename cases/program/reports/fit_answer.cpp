@@ -56,12 +56,16 @@ namespace {
 std::string determined_in_words(const MechanismFit& fit) {
     const std::size_t count = fit.parameters.size();
     const auto rank = static_cast<std::size_t>(fit.identifiability.rank);
-    const std::string parameters = std::to_string(count) + (count == 1 ? " parameter" : " parameters");
+    if (count == 1) {
+        return rank == 1 ? "The data determine its parameter near the best point"
+                         : "The data do not determine its parameter";
+    }
     const std::string what = rank >= count ? "all"
                              : rank == 0   ? "none"
                              : rank == 1   ? "one combination"
                                            : std::to_string(rank) + " combinations";
-    return "The data determine " + what + " of its " + parameters + (rank >= count ? " near the best point" : "");
+    return "The data determine " + what + " of its " + std::to_string(count) + " parameters" +
+           (rank >= count ? " near the best point" : "");
 }
 
 // "30.9 deg to 39.6 deg" or "at most 12.1 kPa": an end at a bound of the search is not stated.
@@ -104,14 +108,14 @@ HeadCard head_card(const FitResult& result) {
         return head;
     }
     const MechanismFit& best = result.mechanisms.front();
+    const bool with_priors = std::ranges::any_of(
+        best.parameters, [](const FreeParameter& parameter) { return parameter.prior.has_value(); });
     if (best.best.empty() && !best.parameters.empty()) {
         head.sentences.emplace_back("No mechanism has an answer within the bounds of its parameters.");
         return head;
     }
     if (result.mechanisms.size() == 1) {
         constexpr std::size_t most = 3;
-        const bool with_priors = std::ranges::any_of(
-            best.parameters, [](const FreeParameter& parameter) { return parameter.prior.has_value(); });
         if (const std::string values = values_in_words(best, most); !values.empty()) {
             head.sentences.push_back("Best fit" + std::string(with_priors ? " with the priors" : "") + ": " + values +
                                      ".");
@@ -136,7 +140,10 @@ HeadCard head_card(const FitResult& result) {
     }
     const std::string values = values_in_words(best, 2);
     head.sentences.push_back(determined_in_words(best) +
-                             (values.empty() ? "" : "; with the priors they give " + values) + ".");
+                             (values.empty() ? ""
+                              : with_priors  ? "; with the priors they give " + values
+                                             : "; they give " + values) +
+                             ".");
     return head;
 }
 

@@ -125,6 +125,19 @@ TEST(Poles, SetsAreFoundAmongPolesThatBelongToNone) {
     EXPECT_EQ(std::ranges::min_element(clusters.information_criterion) - clusters.information_criterion.begin(), 3);
 }
 
+// By the criterion alone each would be a set: log(K / N) of the largest K, 1e4, is more than it costs.
+TEST(Poles, ALonePoleIsNoSet) {
+    std::vector<Orientation> planes;
+    append(planes, 42, 210, 60, 14, 1);
+    append(planes, 78, 30, 50, 14, 2);
+    planes.push_back({degrees(34), degrees(318)});
+    planes.push_back({degrees(50), degrees(120)});
+    const PoleClusters clusters = find_clusters(planes, alike(planes.size()), 6);
+    EXPECT_EQ(clusters.sets.size(), 2U);
+    EXPECT_FALSE(clusters.of[28]);
+    EXPECT_FALSE(clusters.of[29]);
+}
+
 // Evidence is not certainty: of 20 samples of even scatter at most two show a set.
 TEST(Poles, EvenlyScatteredPolesHardlyFormSets) {
     int found = 0;

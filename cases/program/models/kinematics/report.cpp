@@ -1,4 +1,6 @@
 // Kinematic feasibility: verdicts, tables and stereonets for reports.
+#include "cases/program/case/starting_cases.hpp"
+#include "cases/program/models/kinematics/slope_of_sets.hpp"
 #include "cases/program/reader/document.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
@@ -8,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string_view>
 
 namespace delabole {
 
@@ -49,7 +53,7 @@ void append_summary(Analysis& analysis, const KinematicsResult& result) {
 }
 
 // An angle rounded to a tenth of a degree; a rounding error becomes 0.
-std::string tenths_shown(double angle) {
+std::string tenths_of_degree(double angle) {
     return human_number(std::round(angle / degrees(0.1)) / 10, 4);
 }
 
@@ -60,11 +64,11 @@ double degrees_to_write(double angle) {
 }
 
 std::string degrees_shown(double angle) {
-    return tenths_shown(angle) + "°";
+    return tenths_of_degree(angle) + "°";
 }
 
 std::string attitude(double inclination, double azimuth) {
-    return tenths_shown(inclination) + "/" + tenths_shown(azimuth);
+    return tenths_of_degree(inclination) + "/" + tenths_of_degree(azimuth);
 }
 
 std::string share_shown(double share) {
@@ -266,59 +270,51 @@ Table count_table(const PoleCounts& counts) {
              row("poles that belong to no set", counts.without_set, counts.count)}};
 }
 
-Table number_of_sets_table(const std::vector<double>& criterion) {
-    Table table{"Evidence for the number of sets", {"sets"_number, "Bayesian information criterion"_number}};
+Table number_of_sets_table(const std::vector<double>& criterion, std::size_t taken) {
+    Table table{"Evidence for the number of sets, each of three poles or more",
+                {"sets"_number, "Bayesian information criterion"_number}};
     const double least = *std::ranges::min_element(criterion);
     for (std::size_t sets = 0; sets < criterion.size(); ++sets) {
         const double above = criterion[sets] - least;
-        table.rows.push_back({std::to_string(sets), above > 0 ? "+" + human_number(above, 4) : "least: taken"});
+        table.rows.push_back({std::to_string(sets),
+                              (above > 0 ? "+" + human_number(above, 4) : "least") + (sets == taken ? ": taken" : "")});
     }
     return table;
 }
 
 // The sets as sections that can be pasted into another case, of kinematics or of a slope cut by joints.
-std::string sets_to_paste(const Kinematics& model, const KinematicsResult& result) {
-    std::string text =
-        "# Sets of a case of model kinematics. In a section of the slope across its face a set has the apparent dip, "
-        "which\n"
-        "# is positive out of the slope: the dip of a cut of kind \"set\" in a jointed slope that rises to the "
-        "right.\n";
+// A word of a command line that bash reads as the text.
+std::string in_shell(const std::string& text) {
+    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-";
+    if (text.find_first_not_of(plain) == std::string::npos) {
+        return text;
+    }
+    std::string word = "'";
+    for (const char letter : text) {
+        word += letter == '\'' ? "'\\''" : std::string(1, letter);
+    }
+    return word + "'";
+}
+
+std::string sets_to_paste(const KinematicsResult& result) {
+    std::string text = "# Sets of a case of model kinematics.\n";
     for (const JointSetFeasibility& set : result.joint_set) {
-        text += "\n[[joint_set]]  # apparent dip " +
-                tenths_shown(apparent_dip(set.mean, model.slope.face_dip_direction)) +
-                " deg\nname = " + in_quotes(set.name) + "\ndip = \"" + tenths_shown(set.mean.dip) +
-                " deg\"\ndip_direction = \"" + tenths_shown(set.mean.dip_direction) + " deg\"\n";
+        text += "\n[[joint_set]]\nname = " + in_quotes(set.name) + "\ndip = \"" + tenths_of_degree(set.mean.dip) +
+                " deg\"\ndip_direction = \"" + tenths_of_degree(set.mean.dip_direction) + " deg\"\n";
         if (set.measured && std::isfinite(set.measured->concentration)) {
             text += "concentration = " + human_number(std::min(set.measured->concentration, 1e6), 4) + "\n";
         }
     }
-    // A set that strikes along the section crosses it in no line that could be drawn.
-    constexpr double too_near = degrees(30);
-    std::string cuts;
-    for (const JointSetFeasibility& set : result.joint_set) {
-        const double across = set.mean.dip_direction - model.slope.face_dip_direction;
-        if (std::abs(std::cos(across)) >= std::sin(too_near)) {
-            cuts += "#     { name = " + in_quotes(set.name) +
-                    ", joint = \"joints\", trace = { kind = \"set\", dip = \"" +
-                    tenths_shown(apparent_dip(set.mean, model.slope.face_dip_direction)) +
-                    " deg\", spacing = \"3 m\" } },\n";
-        }
-    }
-    text +=
-        "\n# The same as cuts of a jointed slope, without sets that strike within 30 deg of its section; spacings are "
-        "to be "
-        "put in:\n# cut = [\n" +
-        cuts + "# ]\n";
     return text;
 }
 
-void append_measured(const Kinematics& model, const KinematicsResult& result, const StereonetDrawing& drawing,
-                     const ResultFolder& folder, Report& report) {
+void append_measured(const KinematicsResult& result, const StereonetDrawing& drawing, const ResultFolder& folder,
+                     Report& report) {
     report.blocks.emplace_back(Heading{"Measured poles"});
     report.blocks.emplace_back(count_table(*result.poles));
     report.blocks.emplace_back(statistics_table(result));
     if (!result.information_criterion.empty()) {
-        report.blocks.emplace_back(number_of_sets_table(result.information_criterion));
+        report.blocks.emplace_back(number_of_sets_table(result.information_criterion, result.joint_set.size()));
     }
     report.blocks.emplace_back(
         folder.draw(kamb_figure(drawing), "stereonet_kamb",
@@ -332,10 +328,55 @@ void append_measured(const Kinematics& model, const KinematicsResult& result, co
     report.blocks.emplace_back(folder.draw(rosette_figure("Rosette of strikes", planes, weights), "rosette",
                                            "Strikes of the measured planes in classes of 10°; areas are proportional "
                                            "to their number, weighted where a scanline is given."));
-    folder.write("sets_to_paste.toml", sets_to_paste(model, result));
+    folder.write("sets_to_paste.toml", sets_to_paste(result));
+}
+
+// Puts a line in the place of everything from the line that begins with `first` to the next one that ends with `last`.
+void replace_lines(std::string& text, const std::string& first, std::string_view last, const std::string& lines) {
+    const std::size_t begin = text.find("\n" + first) + 1;
+    const std::size_t end = text.find(std::string(last) + "\n", begin) + last.size();
+    text.replace(begin, end - begin, lines);
+}
+
+std::string corner(double x, double y) {
+    return "    { x = \"" + human_number(x, 3) + " m\", y = \"" + human_number(y, 3) + " m\" },\n";
 }
 
 }  // namespace
+
+std::string jointed_slope_of(const KinematicsStudy& study, const KinematicsResult& result) {
+    constexpr double near_the_section = degrees(30);
+    constexpr double height = 12;  // m, as in the starting case
+    constexpr double bench = 14;
+    const SlopeOrientation& face = study.model.slope;
+    std::string cuts;
+    std::string left_out;
+    for (const JointSetFeasibility& set : result.joint_set) {
+        if (std::abs(std::cos(set.mean.dip_direction - face.face_dip_direction)) < std::sin(near_the_section)) {
+            left_out += (left_out.empty() ? "" : ", ") + in_quotes(set.name);
+            continue;
+        }
+        cuts += "    { name = " + in_quotes(set.name) + ", joint = \"joints\", trace = { kind = \"set\", dip = \"" +
+                tenths_of_degree(set.apparent_dip) + " deg\", spacing = \"3 m\" } },  # scatters by " +
+                tenths_of_degree(set.angular_standard_deviation) + " deg\n";
+    }
+    if (cuts.empty()) {
+        throw std::invalid_argument("no joint set crosses the section across the face: all strike within 30 deg of it");
+    }
+    const double crest = height / std::tan(face.face_dip);
+    std::string text = starting_case("jointed_slope");
+    replace_lines(text, "outline = [", "\n]",
+                  "outline = [\n" + corner(0, 0) + corner(crest + bench, 0) + corner(crest + bench, height) +
+                      corner(crest, height) + "]");
+    replace_lines(text, "joint = [", "]",
+                  "joint = [{ name = \"joints\", friction_angle = \"" +
+                      tenths_of_degree(study.model.strength.friction_angle) + " deg\" }]");
+    replace_lines(text, "cut = [", "\n]",
+                  "# Dips in the section across the face; the spacings are examples: replace them by measured ones.\n" +
+                      (left_out.empty() ? "" : "# Without sets that strike within 30 deg of it: " + left_out + ".\n") +
+                      "cut = [\n" + cuts + "]");
+    return text;
+}
 
 Analysis named_outputs(const KinematicsStudy&, const KinematicsResult& result) {
     Analysis analysis;
@@ -397,10 +438,13 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
                                                ground));
     report.blocks.emplace_back(zone_table(study.model));
     if (result.poles) {
-        append_measured(study.model, result, drawing, folder, report);
+        append_measured(result, drawing, folder, report);
     }
     report.blocks.emplace_back(Heading{"Joint sets"});
     report.blocks.emplace_back(set_table(result));
+    report.blocks.emplace_back(
+        Paragraph{"A slope cut by these sets, to be run in motion, is written by: delabole init jointed_slope --sets " +
+                  in_shell(folder.path().string()) + " --out my_slope.toml"});
     report.blocks.emplace_back(
         mechanism_table(result, "Sliding on a plane of one set", &JointSetFeasibility::planar_sliding));
     report.blocks.emplace_back(

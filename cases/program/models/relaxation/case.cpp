@@ -150,7 +150,10 @@ void check_loads(Checker& checker, const Relaxation& model, const RelaxationScen
         check_whole(checker, indexed("support", index) + ".rows", model.support[index].rows);
     }
     if (!model.support.empty() && !std::holds_alternative<RelaxationSlope>(model.scene)) {
-        checker.complain("support", "needs scene.kind = \"jointed_slope\", on whose face the rows begin: use [[bolt]]");
+        checker.complain(
+            "support",
+            "needs scene.kind = \"jointed_slope\", on whose face the rows begin; in other scenes each bolt "
+            "is a [[bolt]] with head_x and head_y");
     }
     check_joint_water(checker, model.joint_water, scene);
     check_increasing(checker, model.shaking, &ShakingPoint::time, "shaking", "time");

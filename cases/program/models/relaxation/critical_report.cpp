@@ -22,6 +22,15 @@ std::string meaning_of(CriticalParameter parameter) {
                                  "factor on gravity at which the blocks begin to fail"});
 }
 
+// An end of a bracket, with only as many digits as distinguish it from the other end.
+std::string bracket_in_words(double value, double other, Dimension dimension) {
+    constexpr int fewest = 3;
+    constexpr int most = 6;
+    const double apart = std::abs(value / (value - other));
+    const int digits = std::isfinite(apart) ? static_cast<int>(std::ceil(std::log10(std::max(apart, 1.0)))) + 1 : most;
+    return in_digits(value, dimension, std::clamp(digits, fewest, most));
+}
+
 // "stands", "fails" and the values found for them on one path.
 std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     const Dimension dimension = dimension_of(plan.parameter);
@@ -37,7 +46,11 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
         return "the blocks fail" + std::string(value.held_by_corners ? ", or are held by corners alone," : "") +
                " even at " + last + less;
     case CriticalStatus::undecided:
-        return "at " + last + " the blocks neither came to rest nor failed within settings.duration";
+        return "at " + last + " the blocks neither came to rest nor failed within settings.duration: raise it" +
+               (value.stands != plan.should_stand() && value.fails != plan.should_fail()
+                    ? ". They stand at " + bracket_in_words(value.stands, value.fails, dimension) + " and fail at " +
+                          bracket_in_words(value.fails, value.stands, dimension)
+                    : "");
     case CriticalStatus::run_failed:
         return "the run at " + last +
                " was stopped: an overlap passed settings.overlap_limit, or its energy did not balance";
@@ -47,15 +60,6 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
         return "the scene is not valid at " + last;
     }
     return {};
-}
-
-// An end of a bracket, with only as many digits as distinguish it from the other end.
-std::string bracket_in_words(double value, double other, Dimension dimension) {
-    constexpr int fewest = 3;
-    constexpr int most = 6;
-    const double apart = std::abs(value / (value - other));
-    const int digits = std::isfinite(apart) ? static_cast<int>(std::ceil(std::log10(std::max(apart, 1.0)))) + 1 : most;
-    return in_digits(value, dimension, std::clamp(digits, fewest, most));
 }
 
 Cell value_or_status(const PathValue& value) {

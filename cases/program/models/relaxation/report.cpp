@@ -293,9 +293,10 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
         return answer;
     }
     if (study.critical && outcome != RelaxationOutcome::interrupted) {
+        // The nearer to the critical value, the longer the blocks take to a verdict: no pace tells what is left.
         how.watch = [&](double done) {
             return keeper.goes_on(share + (of_first - share) * done,
-                                  human_name(name_of_critical(parameter_of(*study.critical))));
+                                  human_name(name_of_critical(parameter_of(*study.critical))), true);
         };
         answer.plan = critical_plan(study);
         answer.critical = find_critical(study, how, progress);
