@@ -69,8 +69,8 @@ TEST_F(Chapter3, TablesMeetTheText) {
 TEST_F(Chapter3, CrackPathOfARunBesideThePrintedOne) {
     const Reproduction result = reproduce("base_friction");
     // Of a chaotic run: half an inch more or less in one column turns the path by 4 deg.
-    EXPECT_NEAR(result.json["crack_path_deg"].get<double>(), 11, 5);
-    EXPECT_EQ(result.rows.back().remark.verdict, RowVerdict::not_met);
+    EXPECT_NEAR(result.json["crack_path_deg"].get<double>(), 24, 5);
+    EXPECT_EQ((result.rows.end() - 2)->remark.verdict, RowVerdict::not_met);
     EXPECT_TRUE(holds(path(), "end", "Table 3.2, 15(L): After"));
     EXPECT_TRUE(holds(path(), "left_standing", "its foot and top"));
 }
@@ -133,8 +133,8 @@ TEST_F(Models, ModesThatHappenedCanHappen) {
 }
 
 TEST_F(Models, DrawingsNameFaultsAndForces) {
-    const Reproduction result = reproduce("drawings");
-    EXPECT_EQ(result.rows.back().remark.verdict, RowVerdict::not_met) << "the plan of Fig 2.6 is not drawn";
+    reproduce("drawings");
+    EXPECT_TRUE(holds(path(), "fig_2_6", "large tension crack"));
     EXPECT_TRUE(holds(path(), "fig_2_7", "fault, 45°, gouge 10 mm"));
     EXPECT_TRUE(holds(path(), "fig_2_10_b", "discontinuity, 0°"));
     EXPECT_TRUE(holds(path(), "fig_2_15", "half saturated: 11.9°"));

@@ -106,29 +106,44 @@ double speed(const Motion& motion) {
     return std::hypot(motion.vx, motion.vy);
 }
 
-// Adds the velocities of the centroids at the end; returns false if nothing moves.
+// Adds the velocities of the centroids at the end; returns false if nothing moves. A sliver may fly off from between
+// blocks: to its scale nothing of theirs would be seen, so that its arrow is no longer than the longest of theirs.
 bool add_velocities(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& bodies) {
-    double fastest = 0;
+    constexpr double at_rest = 1e-6;
+    constexpr double sliver_share = 0.1;  // of the middling block's mass
+    std::vector<std::size_t> blocks;      // the heaviest first
     double size = 0;
     for (std::size_t block = 0; block < bodies.size(); ++block) {
-        if (bodies.fixed[block] == 0) {
-            fastest = std::max(fastest, speed(made.end->motion[block]));
+        if (bodies.fixed[block] == 0 && made.end->removed[block] == 0) {
+            blocks.push_back(block);
             size = std::max(size, bodies.radius[block]);
         }
     }
-    constexpr double at_rest = 1e-6;
-    if (!(fastest > at_rest)) {
+    std::ranges::sort(blocks, std::greater{}, [&](std::size_t block) { return bodies.mass[block]; });
+    double longest = 0;
+    double of_slivers = 0;
+    for (const std::size_t block : blocks) {
+        const bool sliver = bodies.mass[block] < sliver_share * bodies.mass[blocks[blocks.size() / 2]];
+        double& greatest = sliver ? of_slivers : longest;
+        greatest = std::max(greatest, speed(made.end->motion[block]));
+    }
+    longest = longest > at_rest ? longest : of_slivers;
+    if (!(longest > at_rest)) {
         return false;
     }
     const Upright upright(made.result.tilt);
     Arrows& arrows = drawing.velocities;
-    arrows.legend = "velocity, the longest " + value_in_words(fastest, Dimension::speed);
+    arrows.legend = "velocity, the longest " + value_in_words(longest, Dimension::speed);
+    if (of_slivers > longest) {
+        arrows.legend += "; slivers up to " + value_in_words(of_slivers, Dimension::speed);
+    }
     arrows.colour = Colour::vermilion;
-    for (std::size_t block = 0; block < bodies.size(); ++block) {
+    for (const std::size_t block : blocks) {
         const Motion& motion = made.end->motion[block];
-        if (bodies.fixed[block] == 0 && made.end->removed[block] == 0 && speed(motion) > fastest / 1000) {
+        if (speed(motion) > longest / 1000) {
             const PlanePoint<> centre = bodies.centroid[block] + PlanePoint<>(motion.x, motion.y);
-            const PlanePoint<> way(size / fastest * motion.vx, size / fastest * motion.vy);
+            const double scale = size / std::max(longest, speed(motion));
+            const PlanePoint<> way(scale * motion.vx, scale * motion.vy);
             arrows.shafts.push_back({upright(centre), upright(PlanePoint<>(centre + way))});
         }
     }

@@ -119,7 +119,7 @@ ReproductionChapter chapter_2() {
             {"mechanisms", "2.3.3.2", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
              reproduce_mechanisms},
             {"drawings", "Figs 2.1 to 2.15",
-             "Figs 2.1, 2.4, 2.5, 2.7, 2.10 and 2.15: the joint sets, the failure and the models",
+             "Figs 2.1, 2.4 to 2.7, 2.10 and 2.15: the joint sets, the failure and the models",
              reproduce_slope_drawings},
             {"plates", "Plates 2.I to 2.VI", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria",
              reproduce_plates, ReproductionCost::minutes},

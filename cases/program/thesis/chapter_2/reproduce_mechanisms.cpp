@@ -22,16 +22,6 @@ Table verdict_table(const std::vector<MechanismVerdict>& verdicts) {
     return table;
 }
 
-Table trend_table() {
-    Table table{"Conclusions of 2.3.4, from Figs 2.11 to 2.14",
-                {"conclusion", "as this grows", "this", "changes", "doubt"}};
-    for (const PrintedTrend& trend : printed_trends()) {
-        table.rows.push_back({trend.conclusion, human_name(trend.parameter), human_name(trend.response),
-                              human_name(word_of(trend.change)), trend.doubt});
-    }
-    return table;
-}
-
 void add_sliding(const MechanismVerdict& verdict, Reproduction& result) {
     const double factor = std::tan(mixture_friction) / std::tan(*verdict.joint_c_dip);
     result.rows.push_back({verdict.plate + ": factor of safety on joint C, dry", "slides", number_in_words(factor), "",
@@ -70,7 +60,6 @@ Reproduction reproduce_mechanisms(const ResultFolder&, Report& report) {
     report.blocks.emplace_back(Heading{"Modes of failure tried on models (2.3.3.2)"});
     report.blocks.emplace_back(printed_table("Whether each mode can happen, by statics", result.rows));
     report.blocks.emplace_back(verdict_table(verdicts));
-    report.blocks.emplace_back(trend_table());
     return result;
 }
 

@@ -2,11 +2,13 @@
 // criteria of 2.3.3.2 beside the thesis's verdicts.
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
+#include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace delabole {
 
@@ -91,24 +93,48 @@ Figure crest_movements(const SlopeRun& run, const std::string& title) {
     return figure;
 }
 
-void draw(const Plate& plate, const SlopeRun& run, const ResultFolder& folder, Report& report) {
+void add_figures(const Plate& plate, const SlopeRun& run, std::vector<Figure>& figures,
+                 std::vector<std::pair<std::string, std::string>>& drawn) {
     const std::string name = "plate_" + std::string(plate.file.substr(6));
     const std::string title = "Plate " + std::string(plate.plate);
     const auto& frames = run.run.frames;
     const auto at = [](double time) { return ", after " + human_number(time, 2) + " s"; };
-    report.blocks.emplace_back(folder.draw(
-        moved_slope_figure(run.run, frames[run.early_frame], run.end, title + at(frames[run.early_frame].time)),
-        name + "_early", "When half of what fails in the end has begun to."));
-    report.blocks.emplace_back(
-        folder.draw(moved_slope_figure(run.run, frames.back(), run.end, title + at(frames.back().time)), name + "_end",
-                    "At the end of the run."));
+    const auto add = [&](Figure figure, const std::string& file, const std::string& caption) {
+        figures.push_back(std::move(figure));
+        drawn.emplace_back(file, caption);
+    };
+    add(moved_slope_figure(run.run, frames[run.early_frame], run.end, title + at(frames[run.early_frame].time)),
+        name + "_early", "When half of what fails in the end has begun to.");
+    add(moved_slope_figure(run.run, frames.back(), run.end, title + at(frames.back().time)), name + "_end",
+        "At the end of the run.");
     if (plate.plate == "2.III") {
-        report.blocks.emplace_back(folder.draw(
-            crest_movements(run, "Fig 2.9: movements of the crest, Plate 2.III"), "fig_2_9",
-            "Columns lean to the pit and the wedge behind them subsides, when half of what fails has begun to."));
+        add(crest_movements(run, "Fig 2.9: movements of the crest, Plate 2.III"), "fig_2_9",
+            "Columns lean to the pit and the wedge behind them subsides, when half of what fails has begun to.");
     }
-    report.blocks.emplace_back(folder.draw(left_standing_figure(run.run, run.end, title + ", left standing"),
-                                           name + "_left_standing", "The blocks that failed, and the ground left."));
+    add(left_standing_figure(run.run, run.end, title + ", left standing"), name + "_left_standing",
+        "The blocks that failed, and the ground left.");
+}
+
+// Models of one plate are compared, "2.I" with "2.I without cleavage", and have one scale.
+std::string_view number_of(const Plate& plate) {
+    return plate.plate.substr(0, plate.plate.find(' '));
+}
+
+void draw(const std::vector<SlopeRun>& runs, const ResultFolder& folder, Report& report) {
+    std::vector<Figure> figures;
+    std::vector<std::pair<std::string, std::string>> drawn;
+    for (std::size_t index = 0; index < plates.size(); ++index) {
+        add_figures(plates[index], runs[index], figures, drawn);
+        if (index + 1 < plates.size() && number_of(plates[index + 1]) == number_of(plates[index])) {
+            continue;
+        }
+        set_one_scale(figures);
+        for (std::size_t figure = 0; figure < figures.size(); ++figure) {
+            report.blocks.emplace_back(folder.draw(figures[figure], drawn[figure].first, drawn[figure].second));
+        }
+        figures.clear();
+        drawn.clear();
+    }
 }
 
 }  // namespace
@@ -148,9 +174,7 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
         "dips 10° more than in the field, as the friction does, and so does the lower surface that is arranged with "
         "it."});
     report.blocks.emplace_back(printed_table("Field criteria: the thesis's verdict and the run's", result.rows));
-    for (std::size_t index = 0; index < plates.size(); ++index) {
-        draw(plates[index], runs[index], folder, report);
-    }
+    draw(runs, folder, report);
     return result;
 }
 

@@ -1,4 +1,4 @@
-// Figs 2.1, 2.4, 2.5, 2.7, 2.10 and 2.15 of the thesis drawn again from printed numbers and from the models' scenes.
+// Figs 2.1, 2.4 to 2.7, 2.10 and 2.15 of the thesis drawn again from printed numbers and from the models' scenes.
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
@@ -75,6 +75,44 @@ Figure profile_figure() {
     return figure;
 }
 
+// Fig 2.6: cracks and movements of the crest by their order behind the face, which is all that the text tells of their
+// places; seen from above, the pit in front.
+Figure plan_figure() {
+    constexpr double right = 10;
+    Figure figure{.title = "Fig 2.6: plan of the crest, not to scale", .frame = false, .height = 480};
+    figure.x.range = {-0.2, right + 0.2};
+    figure.y.range = {-1.2, 10.6};
+    const auto along = [&](double from, double to, double at, Colour colour, Dash dash, double width,
+                           const std::string& legend) {
+        Line line{.legend = legend, .colour = colour, .dash = dash, .width = width};
+        constexpr int pieces = 12;
+        for (int piece = 0; piece <= pieces; ++piece) {
+            line.points.emplace_back(from + (to - from) * piece / pieces,
+                                     at + (colour == Colour::vermilion ? 0.12 * (piece % 2) : 0));
+        }
+        figure.series.emplace_back(line);
+    };
+    along(0, right, 9.8, Colour::black, Dash::solid, 5, "rear wall");
+    along(0, right, 3.6, Colour::black, Dash::dashed, 2.5, "edge of a bench");
+    along(0, right, 0.4, Colour::black, Dash::dashed, 2.5, "");
+    along(0.4, 9.6, 6.2, Colour::vermilion, Dash::solid, 5, "large tension crack");
+    along(1.5, 4.2, 8.8, Colour::vermilion, Dash::solid, 2, "small tension crack");
+    along(5.4, 8.6, 8.3, Colour::vermilion, Dash::solid, 2, "");
+    along(3.6, 6.4, 1.8, Colour::vermilion, Dash::solid, 2, "");
+    for (const auto& [x, y, text] :
+         {std::tuple{0.1, 4.2, "bench 1, 617.3 ft"}, {0.1, 1.0, "bench 2"}, {4.8, -0.7, "pit"}, {9.3, 2.3, "N"}}) {
+        figure.labels.push_back({.at = Point(x, y), .text = text, .boxed = false, .size = 0.85});
+    }
+    figure.series.emplace_back(Arrows{.shafts = {{Point(5, 5.6), Point(5, 4.4)}, {Point(7, 5.6), Point(7, 4.4)}},
+                                      .legend = "pegs of set 2 near the face: to the pit",
+                                      .colour = Colour::blue});
+    figure.series.emplace_back(Arrows{.shafts = {{Point(5, 6.8), Point(5, 7.7)}, {Point(7, 6.8), Point(7, 7.7)}},
+                                      .legend = "between the cracks: tilts the other way, subsides",
+                                      .colour = Colour::green});
+    figure.arrows.push_back({.from = Point(8.9, 1.8), .to = Point(9.9, 1.8)});
+    return figure;
+}
+
 struct Direction {
     double dip;  // rad, to the pit
     std::string words;
@@ -140,13 +178,16 @@ Figure scene_figure(std::string_view name, const std::string& title) {
 
 // Fig 2.7: the column above pushes along joint A, what is below the fault is to pop out along cleavage and joint A.
 void add_undercutting(Figure& figure) {
-    const auto arrow = [&](Point from, Point to, const std::string& text) {
+    const auto arrow = [&](const Point& from, const Point& to, const Label& label) {
         figure.arrows.push_back({.from = from, .to = to, .colour = Colour::vermilion});
-        figure.labels.push_back({.at = from, .text = text, .align = Label::Align::left, .raise = 0.6, .size = 0.8});
+        figure.labels.push_back(label);
     };
-    arrow(Point(0.145, 0.28), Point(0.145, 0.28) - 0.11 * Point(std::cos(degrees(70)), std::sin(degrees(70))),
-          "pushes");
-    arrow(Point(0.075, 0.055), Point(-0.035, 0.045), "pops out");
+    const Point above(0.176, 0.365);
+    arrow(above, above - 0.2 * Point(std::cos(degrees(70)), std::sin(degrees(70))),
+          {.at = above, .text = " pushes along joint A", .boxed = false, .size = 0.8});
+    const Point head(-0.035, 0.045);
+    arrow(Point(0.075, 0.055), head,
+          {.at = head, .text = "pops out ", .align = Label::Align::right, .boxed = false, .size = 0.8});
 }
 
 // The faults that were modelled: into the slope out of one point of the face, to the pit out of one of the bottom.
@@ -162,9 +203,10 @@ Figure fault_figure() {
     const auto fault = [&](double dip, const Point& from, double sense, Colour colour) {
         const Point end = from + length * Point(std::cos(degrees(dip)), sense * std::sin(degrees(dip)));
         figure.series.emplace_back(Line{.points = {from, end}, .colour = colour});
-        figure.labels.push_back({.at = from + 0.8 * (end - from),
+        figure.labels.push_back({.at = from + 1.1 * (end - from),
                                  .text = human_number(dip, 2) + "°",
                                  .align = Label::Align::centre,
+                                 .boxed = false,
                                  .size = 0.8});
     };
     for (const double dip : {0, 30, 45, 60, 90}) {
@@ -304,13 +346,16 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
     Reproduction result;
     const auto study = std::get<KinematicsStudy>(built_in_case("delabole_1967", "delabole_joint_sets").model);
     const KinematicsResult sets = analyse(study);
-    report.blocks.emplace_back(Heading{"Figs 2.1, 2.4, 2.5, 2.7, 2.10 and 2.15, drawn again"});
+    report.blocks.emplace_back(Heading{"Figs 2.1, 2.4 to 2.7, 2.10 and 2.15, drawn again"});
     report.blocks.emplace_back(Paragraph{"Fig 2.1 is drawn with poles spread evenly over the ranges of the text."});
     report.blocks.emplace_back(
         folder.draw(stereonet_figure(study.model, sets), "fig_2_1", "Poles sampled from the printed ranges."));
     add_traces(sets, study.model.slope.face_dip_direction, folder, report, result);
     report.blocks.emplace_back(
         folder.draw(profile_figure(), "fig_2_4", "Failure surfaces between the inclinations surveyed."));
+    report.blocks.emplace_back(folder.draw(plan_figure(), "fig_2_6",
+                                           "Which cracks lie on which bench, and how pegs moved, is told by the text "
+                                           "(2.2.3, 2.2.3.4); where along the crest is not printed."));
     struct Drawing {
         std::string_view model;
         std::string title;
@@ -346,8 +391,6 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
                            human_number(surface(degrees(45), degrees(75)).back().x(), 3) + " to " +
                                human_number(surface(degrees(40), degrees(70)).back().x(), 3) + " ft",
                            human_number(wide, 2) + " ft", "what the inclinations leave open"});
-    result.rows.push_back({"Fig 2.6: plan of the crest with cracks and pegs", "drawn, not to scale", "not drawn", "",
-                           statement(false) + ": no place of a crack or peg is printed but the benches they lie on"});
     report.blocks.emplace_back(printed_table("The printed inclinations", result.rows));
     return result;
 }

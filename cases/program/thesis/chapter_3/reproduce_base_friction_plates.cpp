@@ -93,7 +93,8 @@ std::string caption_of(const BaseFrictionState& state) {
 // The models of a plate beside each other, all with the toe to the left.
 Figure plate_figure(const std::string& plate, const std::vector<const BaseFrictionState*>& models) {
     constexpr double gap = 4;  // in
-    BlockDrawing drawing{.title = "Plate " + plate + ": the models as cut"};
+    BlockDrawing drawing{.title =
+                             "Plate " + plate + (models.size() > 1 ? ": the models as cut" : ": the model as cut")};
     std::vector<Label> labels;
     std::vector<Series> paths;
     double offset = 0;

@@ -97,7 +97,7 @@ Reproduction reproduce_onset(const ResultFolder& folder, Report& report) {
     result.json["inches_dropped_deg"] = dropped / degrees(1);
     result.json["inches_preloaded_deg"] = preloaded / degrees(1);
     const double logarithm = std::log10(ratio);
-    Figure figure{.title = "Stepped base: friction at which columns begin to move"};
+    Figure figure{.title = "5.3.4.2: friction at which the stepped base begins to move"};
     figure.x = {.title = "stiffness k b / W of the tallest column",
                 .range = std::pair(2.8, 7.2),
                 .ticks = {{3, "1e3"}, {4, "1e4"}, {5, "1e5"}, {6, "1e6"}, {7, "1e7"}}};

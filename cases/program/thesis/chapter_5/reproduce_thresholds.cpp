@@ -147,7 +147,7 @@ void stiffness_part(const ResultFolder& folder, Report& report, Reproduction& re
     result.rows.push_back({"two blocks, dropped: stands up to, 1e6 and 1e9 N/m", "softer fails; stiffer fails faster",
                            "", "", "stiffer stands longer, without exception",
                            shown(softest) + " and " + shown(stiffest) + " deg"});
-    Figure figure{.title = "Greatest tilt that stands, a/b = 3"};
+    Figure figure{.title = "5.3.1 and 5.3.2: greatest tilt that stands, a/b = 3"};
     figure.x = {.title = "stiffness of a corner",
                 .unit = "N/m",
                 .range = std::pair(5.8, 9.2),
