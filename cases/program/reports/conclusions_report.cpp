@@ -32,11 +32,14 @@ std::string value_in_words(const ConclusionTest& test, const TestFinding& findin
     if (is_probability(test)) {
         return number_in_words(finding.value) + " \u00b1 " + number_in_words(2 * finding.standard_error);
     }
-    const std::string middle = value_in_words(finding.value, test.dimension);
+    const auto shown = [&](double value) {
+        constexpr double rounding = 1e-9;  // of the limit: what is less is none
+        return value_in_words(std::abs(value) < rounding * std::abs(test.limit) ? 0 : value, test.dimension);
+    };
+    const std::string middle = shown(finding.value);
     return finding.draws - finding.without_answer < 2
                ? middle
-               : middle + " (" + value_in_words(finding.interval_68.lower, test.dimension) + " to " +
-                     value_in_words(finding.interval_68.upper, test.dimension) + ")";
+               : middle + " (" + shown(finding.interval_68.lower) + " to " + shown(finding.interval_68.upper) + ")";
 }
 
 std::string holding_in_words(const TestFinding& finding) {
