@@ -159,7 +159,7 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
         }
         if (printed->plate == "2.I") {
             // Photographs e and f, where what had failed was taken away.
-            const double face = runs[index].end.answer.lower_angle / degrees(1);
+            const double face = runs[index].early.answer.lower_angle / degrees(1);
             result.rows.push_back({"2.I: the slope without what failed (e, f)", "joint C, 50 deg, is the new face",
                                    human_number(face, 3) + " deg", human_number(face - 50, 2) + " deg", ""});
         }
