@@ -263,8 +263,8 @@ TEST(Delabole1967, PosteriorAgreesWithTheProfileLikelihood) {
                 return one.with_priors && one.parameter == posterior.name;
             });
             ASSERT_NE(profile, fit.profiles.end());
-            // Equal for a normal posterior. That of sliding on cleavage has a second range of faces, steeper than 71 deg,
-            // that few draws are in: there the profile ends, which shifts its ends by up to a standard deviation.
+            // Equal for a normal posterior. That of sliding on cleavage has a second range of faces, steeper than 71
+            // deg, that few draws are in: there the profile ends, which shifts its ends by up to a standard deviation.
             const double shift = posterior.standard_deviation;
             EXPECT_NEAR(posterior.interval_95.lower, profile->interval_95.lower, shift)
                 << fit.name << ' ' << posterior.name;
