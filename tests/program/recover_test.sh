@@ -70,7 +70,11 @@ expect_error 'delabole: interrupted: '
 expect_complete_results stopped
 
 title "what to measure next, with a fit"
-delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fitted
+# With the face held, nearly, which mechanism is first follows the priors.
+delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fitted \
+    --set 'fit.mechanism[1].parameter[6].prior.standard_deviation=0.05 deg' \
+    --set 'fit.mechanism[2].parameter[4].prior.standard_deviation=0.05 deg' \
+    --set 'fit.mechanism[3].parameter[4].prior.standard_deviation=0.05 deg'
 expect "the first sentence of the report says that the ranking follows the priors" \
     grep -qE '<p>Which of the 3 compared explains best depends on what was put in: stepped_toppling as given, with a probability of [0-9]+ %, critical_sliding with flat priors' fitted/report.html
 expect_output 'what to measure next'

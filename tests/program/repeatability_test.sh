@@ -71,7 +71,7 @@ done
 title "fit with one thread and with two"
 for threads in 1 2; do
     delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --set fit.posterior.chains=2 --set fit.posterior.draws=400 \
-        --threads "$threads" --out "threads$threads" --quiet
+        --mechanism critical_sliding --mechanism stepped_sliding --threads "$threads" --out "threads$threads" --quiet
     expect_status 0
 done
 same_but_for '"threads": ' threads1/result.json threads2/result.json
