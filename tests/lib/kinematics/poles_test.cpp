@@ -125,7 +125,7 @@ TEST(Poles, SetsAreFoundAmongPolesThatBelongToNone) {
     EXPECT_EQ(std::ranges::min_element(clusters.information_criterion) - clusters.information_criterion.begin(), 3);
 }
 
-// By the criterion alone each would be a set: log(K / N) of the largest K, 1e4, is more than it costs.
+// The criterion alone would take each for a set: with the greatest K, 1e4, log(K / N) is more than a set costs.
 TEST(Poles, ALonePoleIsNoSet) {
     std::vector<Orientation> planes;
     append(planes, 42, 210, 60, 14, 1);

@@ -282,7 +282,6 @@ Table number_of_sets_table(const std::vector<double>& criterion, std::size_t tak
     return table;
 }
 
-// The sets as sections that can be pasted into another case, of kinematics or of a slope cut by joints.
 // A word of a command line that bash reads as the text.
 std::string in_shell(const std::string& text) {
     constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-";
@@ -296,6 +295,7 @@ std::string in_shell(const std::string& text) {
     return word + "'";
 }
 
+// The sets as sections that can be pasted into another case of model kinematics.
 std::string sets_to_paste(const KinematicsResult& result) {
     std::string text = "# Sets of a case of model kinematics.\n";
     for (const JointSetFeasibility& set : result.joint_set) {
