@@ -145,13 +145,15 @@ TEST(Delabole1967, SlidingOnTheCriticalPlaneRanksFirstAndTopplingNeedsNoHighWate
     }
 }
 
-// What the README says of the probabilities. With the angle of the face fitted they do not hang on the priors; with 70
-// deg held they did.
+// The probabilities in the README of the case. With the angle of the face fitted the order of the mechanisms does not
+// depend on the priors; with 70 deg held it did.
 TEST(Delabole1967, WhichMechanismIsFirstDoesNotHangOnThePriors) {
     const auto& mechanisms = result_of_1967().mechanisms;
     for (const MechanismFit& fit : mechanisms) {
         ASSERT_TRUE(fit.posterior) << fit.name;
         EXPECT_EQ(fit.posterior->posterior.status, PosteriorStatus::converged) << fit.name;
+        // Columns have more parameters than data, and say so.
+        EXPECT_EQ(fit.posterior->warnings.size(), fit.name == "stepped_toppling" ? 1U : 0U) << fit.name;
         EXPECT_LT(fit.posterior->evidence().standard_error, 0.02) << fit.name;
         EXPECT_EQ(fit.posterior->evidences.size(), 8U) << fit.name;
     }
@@ -265,7 +267,7 @@ TEST(Delabole1967, PosteriorAgreesWithTheProfileLikelihood) {
             ASSERT_NE(profile, fit.profiles.end());
             // Equal for a normal posterior. That of sliding on cleavage has a second range of faces, steeper than 71
             // deg, that few draws are in: there the profile ends, which shifts its ends by up to a standard deviation.
-            const double shift = posterior.standard_deviation;
+            const double shift = (fit.name == "stepped_sliding" ? 1 : 0.75) * posterior.standard_deviation;
             EXPECT_NEAR(posterior.interval_95.lower, profile->interval_95.lower, shift)
                 << fit.name << ' ' << posterior.name;
             EXPECT_NEAR(posterior.interval_95.upper, profile->interval_95.upper, shift)
