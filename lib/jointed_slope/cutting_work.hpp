@@ -18,11 +18,27 @@ struct CutSet {
     double spacing;
 };
 
+struct RocksOfLine {
+    MeshIndex gouge;  // each is no_index if there is none
+    MeshIndex above;
+    MeshIndex below;
+};
+
+// A line as it was cut.
+struct DrawnLine {
+    std::size_t cut;  // its number among the cuts
+    Polyline middle;
+    double half_thickness;
+    MeshIndex joint;
+    RocksOfLine rocks;
+};
+
 // Coordinates are relative to the outline's first corner.
 struct CuttingWork {
     SectionMesh mesh;
     PlanePoint<> origin;
     double snap;
+    std::vector<DrawnLine> drawn = {};
     std::map<std::string, Polyline, std::less<>> line = {};  // towards +x
     std::map<std::string, CutSet, std::less<>> set = {};
     std::vector<MeshIndex> gouge = {};  // rocks that may be thin
@@ -46,13 +62,12 @@ void divide_into_convex(SectionMesh& mesh, double snap);
 CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& set, std::size_t number, MeshIndex joint,
                  MeshIndex rock, SlopeCheck& check);
 
-struct RocksOfLine {
-    MeshIndex gouge;  // each is no_index if there is none
-    MeshIndex above;
-    MeshIndex below;
-};
-CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line, MeshIndex joint,
+CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line, std::size_t number, MeshIndex joint,
                   const RocksOfLine& rocks, SlopeCheck& check);
+
+// Cuts again, after all cuts, the lines that ended inside a block: as far as another cut that was made later, or as a
+// point inside a block at which they meet or cross another line. `count` holds those of all cuts.
+void cut_as_far_as_others(CuttingWork& work, std::vector<CutCount>& count);
 
 // Joins again the faces that were divided only to stay convex.
 void rejoin_intact(SectionMesh& mesh);

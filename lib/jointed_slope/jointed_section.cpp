@@ -85,10 +85,10 @@ class Cutter {
         return check_ == SlopeCheck::valid ? cut_set(work_, cut, set, number, joint, rock, check_) : CutCount{};
     }
 
-    CutCount make(const SlopeCut& cut, const LineCut& line, std::size_t, MeshIndex joint) {
+    CutCount make(const SlopeCut& cut, const LineCut& line, std::size_t number, MeshIndex joint) {
         require(line.thickness.has_value() == line.gouge.has_value(), SlopeCheck::gouge_and_thickness);
         const RocksOfLine rocks{rock_of(line.gouge), rock_of(line.rock_above), rock_of(line.rock_below)};
-        return check_ == SlopeCheck::valid ? cut_line(work_, cut, line, joint, rocks, check_) : CutCount{};
+        return check_ == SlopeCheck::valid ? cut_line(work_, cut, line, number, joint, rocks, check_) : CutCount{};
     }
 
     void require(bool holds, SlopeCheck otherwise) {
@@ -173,6 +173,7 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
             return refuse(cutter.check(), index);
         }
     }
+    cut_as_far_as_others(work, section.cut);
     rejoin_intact(work.mesh);
     section.typical_area = typical_area(work);
     merge_slivers(work, geometry.sliver_share.value_or(standard_sliver_share), section);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace delabole {
@@ -110,6 +111,9 @@ StraightLine line_through(const PlanePoint<>& a, const PlanePoint<>& b) {
 }
 
 void give_rocks(CuttingWork& work, const Polyline& middle, double half_thickness, const RocksOfLine& rocks) {
+    if (half_thickness == 0 && rocks.above == no_index && rocks.below == no_index) {
+        return;
+    }
     SectionMesh& mesh = work.mesh;
     for (MeshIndex face = 0; face < mesh.face_count(); ++face) {
         if (half_thickness > 0) {
@@ -134,9 +138,96 @@ void give_rocks(CuttingWork& work, const Polyline& middle, double half_thickness
     }
 }
 
+// Cuts the blocks that a line crosses from side to side.
+CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint) {
+    CutCount count;
+    SectionMesh& mesh = work.mesh;
+    for (std::size_t piece = 1; piece < line.size(); ++piece) {
+        const StraightLine straight = line_through(line[piece - 1], line[piece]);
+        // A cut ends at the corner to which a bend has snapped.
+        const double first = straight.place(line[piece - 1]) - 2 * work.snap;
+        const double last = straight.place(line[piece]) + 2 * work.snap;
+        const std::size_t before = mesh.face_count();
+        for (MeshIndex face = 0; face < before; ++face) {
+            const FaceCutResult result = cut_face(mesh, face, straight, work.snap, joint,
+                                                  [&](double from, double to) { return from >= first && to <= last; });
+            count.made += result.cut == FaceCut::made ? 1 : 0;
+            if (result.cut == FaceCut::dropped) {
+                const Chord chord = *find_chord(mesh, face, straight, work.snap);
+                const double one = straight.place(chord.rising.at);
+                const double other = straight.place(chord.falling.at);
+                const bool reached =
+                    std::max(one, other) > first + 4 * work.snap && std::min(one, other) < last - 4 * work.snap;
+                count.dropped += reached ? 1 : 0;
+            }
+        }
+    }
+    return count;
+}
+
+// The point at which two straight pieces cross, or at which one of them ends on the other.
+std::optional<PlanePoint<>> meeting_point(const MeshSegment& one, const MeshSegment& other, double snap) {
+    for (const auto& [ends, along] : {std::pair(one, other), std::pair(other, one)}) {
+        const PlanePoint<> way = (along.second - along.first).normalized();
+        for (const PlanePoint<>& end : {ends.first, ends.second}) {
+            const double place = way.dot(end - along.first);
+            if (std::abs(left_of(way).dot(end - along.first)) < snap && place > -snap &&
+                way.dot(along.second - end) > -snap) {
+                return end;
+            }
+        }
+    }
+    const PlanePoint<> normal = left_of(other.second - other.first);
+    const double from_first = normal.dot(one.first - other.first);
+    const double from_second = normal.dot(one.second - other.first);
+    const PlanePoint<> own_normal = left_of(one.second - one.first);
+    const bool cross = (from_first > 0) != (from_second > 0) &&
+                       (own_normal.dot(other.first - one.first) > 0) != (own_normal.dot(other.second - one.first) > 0);
+    return cross ? std::optional(point_between(one, std::abs(from_first), std::abs(from_second))) : std::nullopt;
+}
+
+// The direction from a point on a piece of a line, inside a face, to the side of the face that the piece reaches: its
+// other end may lie just beyond the point. Where it reaches both sides or none, the longer way.
+PlanePoint<> arm_of(const SectionMesh& mesh, MeshIndex face, const MeshSegment& piece, const PlanePoint<>& at,
+                    double snap) {
+    const StraightLine straight = line_through(piece.first, piece.second);
+    const double first = straight.place(piece.first);
+    const double last = straight.place(piece.second);
+    bool forth = last - straight.place(at) > straight.place(at) - first;
+    if (const std::optional<Chord> chord = find_chord(mesh, face, straight, snap)) {
+        const double one = straight.place(chord->rising.at);
+        const double other = straight.place(chord->falling.at);
+        const bool reaches_back = first - 2 * snap <= std::min(one, other);
+        const bool reaches_forth = last + 2 * snap >= std::max(one, other);
+        forth = reaches_back == reaches_forth ? forth : reaches_forth;
+    }
+    return forth ? straight.along : PlanePoint<>(-straight.along);
+}
+
+// Divides the blocks inside which two lines meet, as at a bend from an arm of one to an arm of the other.
+void divide_where_they_meet(CuttingWork& work, const Polyline& one, const Polyline& other) {
+    constexpr double least_turn = 0.1;  // rad; lines that differ by less run along each other
+    for (std::size_t index = 1; index < one.size(); ++index) {
+        const MeshSegment piece{one[index - 1], one[index]};
+        for (std::size_t second = 1; second < other.size(); ++second) {
+            const MeshSegment other_piece{other[second - 1], other[second]};
+            const auto at = meeting_point(piece, other_piece, work.snap);
+            const MeshIndex face = at ? face_around(work.mesh, *at, work.snap) : no_index;
+            if (face == no_index) {
+                continue;
+            }
+            const PlanePoint<> turn =
+                arm_of(work.mesh, face, piece, *at, work.snap) - arm_of(work.mesh, face, other_piece, *at, work.snap);
+            if (turn.norm() > least_turn) {
+                divide_at_bend(work.mesh, *at, left_of(turn.normalized()), work.snap);
+            }
+        }
+    }
+}
+
 }  // namespace
 
-CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line, MeshIndex joint,
+CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line, std::size_t number, MeshIndex joint,
                   const RocksOfLine& rocks, SlopeCheck& check) {
     CutCount count;
     SectionMesh& mesh = work.mesh;
@@ -168,33 +259,43 @@ CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line,
         }
     }
     for (const Polyline& face_line : faces.line) {
-        for (std::size_t piece = 1; piece < face_line.size(); ++piece) {
-            const StraightLine straight = line_through(face_line[piece - 1], face_line[piece]);
-            // A cut ends at the corner to which a bend has snapped.
-            const double first = straight.place(face_line[piece - 1]) - 2 * work.snap;
-            const double last = straight.place(face_line[piece]) + 2 * work.snap;
-            const std::size_t before = mesh.face_count();
-            for (MeshIndex face = 0; face < before; ++face) {
-                const FaceCutResult result =
-                    cut_face(mesh, face, straight, work.snap, joint,
-                             [&](double from, double to) { return from >= first && to <= last; });
-                count.made += result.cut == FaceCut::made ? 1 : 0;
-                if (result.cut == FaceCut::dropped) {
-                    const Chord chord = *find_chord(mesh, face, straight, work.snap);
-                    const double one = straight.place(chord.rising.at);
-                    const double other = straight.place(chord.falling.at);
-                    const bool reached =
-                        std::max(one, other) > first + 4 * work.snap && std::min(one, other) < last - 4 * work.snap;
-                    count.dropped += reached ? 1 : 0;
-                }
-            }
-        }
+        const CutCount of_face = cut_pieces(work, face_line, joint);
+        count.made += of_face.made;
+        count.dropped += of_face.dropped;
     }
+    work.drawn.push_back({number, middle, half_thickness, joint, rocks});
     if (half_thickness > 0) {
         work.gouge.push_back(rocks.gouge);
     }
     give_rocks(work, middle, half_thickness, rocks);
     return count;
+}
+
+void cut_as_far_as_others(CuttingWork& work, std::vector<CutCount>& count) {
+    const auto ends_in_a_block = [&](const DrawnLine& line) {
+        return line.half_thickness == 0 && count[line.cut].dropped > 0;
+    };
+    for (std::size_t one = 0; one < work.drawn.size(); ++one) {
+        for (std::size_t other = 0; other < one; ++other) {
+            // A line that crosses all blocks from side to side needs no division for another one to end on it.
+            if (ends_in_a_block(work.drawn[one]) && ends_in_a_block(work.drawn[other])) {
+                divide_where_they_meet(work, work.drawn[one].middle, work.drawn[other].middle);
+            }
+        }
+    }
+    bool rocks_change = false;
+    for (const DrawnLine& line : work.drawn) {
+        if (ends_in_a_block(line)) {
+            const CutCount again = cut_pieces(work, line.middle, line.joint);
+            count[line.cut] = {count[line.cut].made + again.made, again.dropped};
+            rocks_change = rocks_change || again.made > 0;
+        }
+    }
+    if (rocks_change) {
+        for (const DrawnLine& line : work.drawn) {
+            give_rocks(work, line.middle, line.half_thickness, line.rocks);
+        }
+    }
 }
 
 }  // namespace delabole

@@ -137,10 +137,9 @@ struct SlopeGeometry {
                     "name of the properties where rock is divided only because blocks are convex"),
             number("snap_distance", &G::snap_distance, Dimension::length, more_than(0),
                    "a cut this near to a corner runs through it; absent: 1/500 of the least spacing"),
-            number(
-                "sliver_share", &G::sliver_share, Dimension::ratio, right_open(0, 1),
-                "of the middling block's area, or of its size in width: less is a sliver, merged where that leaves a "
-                "convex block and locks no joint, else taken away if below 0.02; absent: 0.02"),
+            number("sliver_share", &G::sliver_share, Dimension::ratio, right_open(0, 1),
+                   "of the median block's area, or of its size in width: less is a sliver, merged where that leaves a "
+                   "convex block and locks no joint, else taken away if below 0.02; absent: 0.02"),
             section("outline", &G::outline, "corners of the section, either way round"),
             section("cut", &G::cut, "joints, faults and boundaries in the order of cutting")};
     }

@@ -54,9 +54,12 @@ Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
 
 void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection& section, Analysis& analysis) {
     for (std::size_t index = 0; index < section.cut.size(); ++index) {
+        const SlopeCut& cut = slope.geometry.cut[index];
+        const std::string name = indexed("scene.cut", index) + " (" + cut.name + ")";
         if (section.cut[index].made == 0) {
-            analysis.warnings.push_back(indexed("scene.cut", index) + " (" + slope.geometry.cut[index].name +
-                                        ") divides no block");
+            analysis.warnings.push_back(name + " divides no block");
+        } else if (section.cut[index].dropped > 0 && std::holds_alternative<LineCut>(cut.trace)) {
+            analysis.warnings.push_back(name + " ends inside a block, which holds there like intact rock");
         }
     }
     if (section.outline_reversed) {
@@ -76,7 +79,7 @@ void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made,
     const Folded cutting{
         "How the section was cut",
         {cut_table(slope, section),
-         Paragraph{"Slivers below the stated share of the middling block, " +
+         Paragraph{"Slivers below the stated share of the median block, " +
                    value_in_words(section.typical_area, Dimension::area) + ": " +
                    std::to_string(section.slivers_merged) + " merged, " + std::to_string(section.slivers_crushed) +
                    " taken away as crushed (" + value_in_words(section.crushed_area, Dimension::area) +
