@@ -16,6 +16,7 @@
 #include <CLI/CLI.hpp>
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -424,9 +425,18 @@ int guarded(const std::function<ExitCode()>& command, const delabole::Ranks& ran
     }
 }
 
+// A model allocates some megabytes for an evaluation and frees them, many thousands of times. Memory that the process
+// keeps need not be mapped anew each time, which took an eighth of the back-analysis of Delabole.
+void keep_freed_memory() {
+    constexpr int bytes = 32 << 20;  // the greatest that glibc takes
+    mallopt(M_MMAP_THRESHOLD, bytes);
+    mallopt(M_TRIM_THRESHOLD, bytes);
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
+    keep_freed_memory();
     occupy_standard_streams();
     const delabole::PlainOutput plain_output(std::cout);
     const delabole::PlainOutput plain_errors(std::cerr);
