@@ -214,19 +214,19 @@ py::list outlines(const SimulationObject& object) {
 }
 
 py::dict energies(const SimulationObject& object) {
-    const EnergyLedger ledger = object.now().ledger();
+    const EnergyBalance energy_balance = object.now().energy_balance();
     py::dict dict;
-    dict["applied"] = ledger.applied;
-    dict["prescribed"] = ledger.prescribed;
-    dict["kinetic"] = ledger.kinetic;
-    dict["elastic"] = ledger.elastic;
-    dict["friction"] = ledger.friction;
-    dict["bonds"] = ledger.bonds;
-    dict["dashpots"] = ledger.dashpots;
-    dict["local_damping"] = ledger.local_damping;
-    dict["kinetic_damping"] = ledger.kinetic_damping;
-    dict["residual"] = ledger.residual();
-    dict["residual_share"] = ledger.residual_share();
+    dict["applied"] = energy_balance.applied;
+    dict["prescribed"] = energy_balance.prescribed;
+    dict["kinetic"] = energy_balance.kinetic;
+    dict["elastic"] = energy_balance.elastic;
+    dict["friction"] = energy_balance.friction;
+    dict["bonds"] = energy_balance.bonds;
+    dict["dashpots"] = energy_balance.dashpots;
+    dict["local_damping"] = energy_balance.local_damping;
+    dict["kinetic_damping"] = energy_balance.kinetic_damping;
+    dict["residual"] = energy_balance.residual();
+    dict["residual_share"] = energy_balance.residual_share();
     return dict;
 }
 

@@ -10,7 +10,7 @@
 
 namespace delabole {
 
-// What the sentences need besides the numbers, for the parameters named in Identifiability.
+// The sentences need this besides the numbers of the parameters named in Identifiability.
 struct VerdictQuestion {
     std::vector<Dimension> dimensions;
     Eigen::VectorXd ranges;  // upper - lower, SI

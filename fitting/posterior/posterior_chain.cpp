@@ -40,11 +40,11 @@ PosteriorChain::Proposal PosteriorChain::difference_step(const State& from, cons
     const std::size_t first = random_.below(archive.size());
     const std::size_t second = (first + 1 + random_.below(archive.size() - 1)) % archive.size();
     // A small random offset makes every point reachable although the archive is finite.
-    constexpr double tremble = 1e-4;
+    constexpr double jitter = 1e-4;
     Proposal proposal{from.normal, 0};
     for (std::size_t index = 0; index < proposal.normal.size(); ++index) {
         proposal.normal[index] +=
-            length * ((*archive[first])[index] - (*archive[second])[index]) + tremble * normal_number();
+            length * ((*archive[first])[index] - (*archive[second])[index]) + jitter * normal_number();
     }
     return proposal;
 }

@@ -89,7 +89,7 @@ double rounded(double value, int digits) {
     return value;
 }
 
-// What a reader of the table will find.
+// The prediction as a reader of the table will find it, with rounded numbers.
 RunTable::Outcome as_written(const Prediction& prediction) {
     RunTable::Outcome outcome{std::string(prediction.failure), prediction.outputs, corners_of(prediction.profile)};
     for (double& output : outcome.outputs) {

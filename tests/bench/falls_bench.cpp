@@ -31,7 +31,7 @@ void fall(benchmark::State& state) {
                 ++stopped;
                 continue;
             }
-            const double lacking = std::abs(landing->result.ledger.residual_share());
+            const double lacking = std::abs(landing->result.energy_balance.residual_share());
             through += landing->deepest > 0.06 ? 1 : 0;
             above_two_percent += lacking > 0.02 ? 1 : 0;
             worst = std::max(worst, lacking);

@@ -208,9 +208,10 @@ inline std::optional<Landing> land(const Fall& fall, const RelaxationSettings& s
         motion.vx = fall.start[block].vx;
         motion.vy = fall.start[block].vy;
         motion.spin = fall.start[block].spin;
-        state.ledger.applied += (at_rest.bodies().mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
-                                 at_rest.bodies().inertia[block] * motion.spin * motion.spin) /
-                                2;
+        state.energy_balance.applied +=
+            (at_rest.bodies().mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
+             at_rest.bodies().inertia[block] * motion.spin * motion.spin) /
+            2;
     }
     ContactWatch::start(state.motion.size(), state.watch);
     Simulation simulation(fall.scene, settings, std::move(state));

@@ -145,7 +145,7 @@ bool LiveMotion::change(const RelaxationStudy& study) {
 
 std::string LiveMotion::picture() const {
     const RelaxationState& state = simulation_->state();
-    const EnergyLedger ledger = simulation_->ledger();
+    const EnergyBalance energy_balance = simulation_->energy_balance();
     const std::vector<CornerForce> forces = corner_forces(simulation_->bodies(), state);
     std::vector<BoltPull> bolts = bolt_pulls(simulation_->scene(), simulation_->bodies(), state);
     std::erase_if(bolts, [](const BoltPull& bolt) { return !bolt.holds; });
@@ -154,9 +154,10 @@ std::string LiveMotion::picture() const {
     constexpr std::uint64_t float_holds = std::uint64_t{1} << 24U;
     for (const double value :
          {state.time, static_cast<double>(state.steps / float_holds), static_cast<double>(state.steps % float_holds),
-          verdict_ ? static_cast<double>(decisions_) : 0.0, state.onset_time, ledger.applied, ledger.kinetic,
-          ledger.elastic, ledger.friction, ledger.dashpots + ledger.local_damping + ledger.kinetic_damping,
-          ledger.residual(), std::max(state.unbalanced, state.unbalanced_then),
+          verdict_ ? static_cast<double>(decisions_) : 0.0, state.onset_time, energy_balance.applied,
+          energy_balance.kinetic, energy_balance.elastic, energy_balance.friction,
+          energy_balance.dashpots + energy_balance.local_damping + energy_balance.kinetic_damping,
+          energy_balance.residual(), std::max(state.unbalanced, state.unbalanced_then),
           static_cast<double>(state.motion.size()), static_cast<double>(forces.size()),
           static_cast<double>(bolts.size())}) {
         floats.add(value);

@@ -217,7 +217,7 @@ bool too_late_for_figures() {
     return seconds_since_interrupt() > still_drawn;
 }
 
-// Of all cases of a command: a gnuplot that hangs is waited for once.
+// One for all cases of a command: a gnuplot that hangs is waited for once.
 GnuplotRuns gnuplot_runs{.give_up = too_late_for_figures};
 
 }  // namespace

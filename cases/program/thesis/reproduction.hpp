@@ -15,7 +15,7 @@ namespace delabole {
 // Whether what is printed holds; `none` where a number stands beside the printed one, or nothing is printed.
 enum class RowVerdict { none, met, not_met };
 
-// What is said of a row: its verdict, and why or by how much.
+// A row's verdict, and why or by how much.
 struct Remark {
     RowVerdict verdict = RowVerdict::none;
     std::string text = {};  // after a verdict it begins with a mark or a blank: ": rank correlation 0.9"
@@ -110,9 +110,10 @@ struct RowCounts {
 RowCounts count_rows(const std::vector<PrintedRow>& rows);
 std::string in_words(const RowCounts& counts);
 
-// What is printed of cases, by their [[expect]] and [[sweep]], between their texts and their figures. Without a sweep
-// these are the figures of `delabole run`. `cases` are built-in ones of a folder (thesis_tables.hpp), in the order of
-// the report. Figures of `delabole run` do not know what they stand for: their titles begin with `place`, "Fig 4.1".
+// Compares cases with what is printed by their [[expect]] and [[sweep]], between their texts and their figures. Without
+// a sweep these are the figures of `delabole run`. `cases` are built-in ones of a folder (thesis_tables.hpp), in the
+// order of the report. Figures of `delabole run` do not know what they stand for: their titles begin with `place`,
+// "Fig 4.1".
 Reproduction reproduce_cases(const std::string& folder, const std::vector<std::string>& cases, const std::string& place,
                              const ResultFolder& results, Report& report);
 

@@ -43,7 +43,7 @@ Box box_of(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t 
     return {box.left - reach, box.right + reach, box.bottom - reach, box.top + reach};
 }
 
-// Cells are as wide as a middling free block.
+// Cells are as wide as the free block of median size.
 double cell_width(const Bodies& bodies, const std::vector<char>& removed) {
     std::vector<double> radius;
     for (std::size_t block = 0; block < bodies.size(); ++block) {

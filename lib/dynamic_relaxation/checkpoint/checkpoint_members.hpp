@@ -62,13 +62,13 @@ DELABOLE_MEMBERS(NoticedMotion, moved, x, y, angle)
 DELABOLE_MEMBERS(OutlineShift, x, y, angle)
 DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag, shift)
 DELABOLE_MEMBERS(BoltMemory, extension_at_start, yielded)
-DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,
+DELABOLE_MEMBERS(EnergyBalance, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,
                  kinetic_damping, elastic_at_start)
 DELABOLE_MEMBERS(FirstCrack, time, tilt, block, other)
 DELABOLE_MEMBERS(StartBalance, unbalanced_ratio, cut_short)
 DELABOLE_MEMBERS(SlipOverFace, upward, slip)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start_balance,
-                 noticed, checks_at_rest, removed, base_slip, dropped_slip, contacts, watch, bond, bolt, ledger,
+                 noticed, checks_at_rest, removed, base_slip, dropped_slip, contacts, watch, bond, bolt, energy_balance,
                  unbalanced, unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time,
                  in_thresholds_then, first_crack, overlap, outcome, held_by_corners)
 

@@ -237,7 +237,7 @@ DELABOLE_INLINED void let_go(const JointLaw& law, double weight, double damping,
     memory.beneath = beneath;
 }
 
-// What a contact that begins to touch reads from its touching twin.
+// A contact that begins to touch reads this from its touching twin.
 struct TwinThatTouches {
     double overlap;  // decides whether the contact takes over
     double shear;    // taken over by a corner that came along the edge, but not by one that came down on it

@@ -53,7 +53,7 @@ double opening_of(const RelaxationContact& contact, const std::vector<Motion>& m
     return velocity_of<double>(locate(contact, block, other), block, other).opening;
 }
 
-double middling_radius(const Bodies& bodies) {
+double median_radius(const Bodies& bodies) {
     std::vector<double> radius;
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         if (bodies.fixed[block] == 0) {
@@ -78,10 +78,10 @@ ContactWatch::ContactWatch(const RelaxationScene& scene, const Bodies& bodies, c
       gravity_(scene.gravity.acceleration),
       overlap_limit_(settings.overlap_limit),
       share_in_collision_(std::min(1.0, step_fraction_in_collision / settings.step_fraction)) {
-    const double middling = middling_radius(bodies);
+    const double median = median_radius(bodies);
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         reach_at_rest_.push_back(bodies.fixed[block] != 0 ? 0
-                                                          : reach_in_radii * std::min(bodies.radius[block], middling));
+                                                          : reach_in_radii * std::min(bodies.radius[block], median));
     }
 }
 

@@ -20,7 +20,7 @@ constexpr bool is_preloaded(RelaxationStart start) {
 
 struct RelaxationSettings {
     // Fraction of the greatest stable step of the blocks on springs and dashpots, 0.01 to 0.8: from 0.9 on standing
-    // blocks tremble for ever. Blocks that collide get at most 0.3, and with local damping the fraction is at most
+    // blocks vibrate for ever. Blocks that collide get at most 0.3, and with local damping the fraction is at most
     // 0.96 / (1 + local damping).
     double step_fraction = 0.6;
     std::optional<double> time_step{};  // s; replaces the fraction, which still limits it: a longer step is divided

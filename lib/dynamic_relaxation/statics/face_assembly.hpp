@@ -27,7 +27,7 @@ struct FaceAssembly {
     std::vector<std::size_t> block_of;  // of each body: the blocks that are not held, in their order
 };
 
-// What joints and bonds have gone through; bonds are in the order of the scene.
+// The memory of joints and bonds; bonds are in the order of the scene.
 struct JointHistory {
     std::span<const BondMemory> bond;
     const ContactList& contacts;

@@ -79,7 +79,7 @@ HistoryLine history_line(const HistoryRequest& request, const Simulation& simula
     HistoryLine line;
     line.time = state.time;
     line.tilt = simulation.tilt();
-    line.energy = simulation.ledger();
+    line.energy = simulation.energy_balance();
     for (const BlockMonitor& monitor : request.block) {
         const auto block = static_cast<std::size_t>(monitor.block) - 1;
         const Motion& motion = state.motion[block];

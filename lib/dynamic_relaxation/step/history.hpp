@@ -63,7 +63,7 @@ struct MonitoredContact {
 struct HistoryLine {
     double time = 0;
     double tilt = 0;
-    EnergyLedger energy = {};
+    EnergyBalance energy = {};
     std::vector<MonitoredBlock> block = {};      // in the order of the request
     std::vector<MonitoredContact> contact = {};  // in the order of the request
     std::vector<double> base_slip = {};          // m, of every block since the start

@@ -110,7 +110,7 @@ struct RelaxationResult {
     std::size_t broken_bonds = 0;
     std::optional<StartBalance> start_balance = {};  // absent if the start was not preloaded
     double unbalanced_ratio = 0;                     // recent greatest unbalanced force over the block's weight
-    EnergyLedger ledger = {};
+    EnergyBalance energy_balance = {};
     std::optional<ContactName> deepest = {};
     std::optional<BlockOverlap> overlap = {};  // the greatest share measured, every 5000 steps and at the end
     RelaxationCost cost = {};

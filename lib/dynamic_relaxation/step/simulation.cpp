@@ -23,17 +23,17 @@ constexpr double margin_in_shortest_edges = 0.01;
 
 // Displacements that change the force of the stiffest spring by 1e-12 of a block's weight.
 std::vector<double> unnoticed_displacements(const RelaxationScene& scene, const Bodies& bodies) {
-    constexpr double trifle = 1e-12;
+    constexpr double share_of_weight = 1e-12;
     double stiffest = 0;
     for (const JointMaterial& joint : scene.material) {
         stiffest = std::max({stiffest, joint.normal_stiffness, joint.shear_stiffness});
     }
     const double gravity = scene.gravity.acceleration > 0 ? scene.gravity.acceleration : 1;
-    std::vector<double> ways;
+    std::vector<double> displacements;
     for (const double mass : bodies.mass) {
-        ways.push_back(trifle * mass * gravity / stiffest);
+        displacements.push_back(share_of_weight * mass * gravity / stiffest);
     }
-    return ways;
+    return displacements;
 }
 
 // Local damping that opposes a spring's oscillation acts as a stiffer spring, up to 1 + `local_damping` times: at 0.2
@@ -154,8 +154,8 @@ void Simulation::begin(JointsAtStart joints) {
         state_.noticed.notice(block, state_.motion[block]);
     }
     find_contacts_where_due();
-    state_.ledger.bonds = 0;
-    state_.ledger.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);
+    state_.energy_balance.bonds = 0;
+    state_.energy_balance.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);
     // Slip on the way to a balance belongs to the initial state of the blocks; slip of creeping blocks does not.
     const bool crept = settings_.creep && state_.start_balance &&
                        state_.start_balance->unbalanced_ratio > static_solve_settings().tolerance;
@@ -168,8 +168,9 @@ void Simulation::begin(JointsAtStart joints) {
         if (!is_preloaded(settings_.start) && contact.gap < 0) {
             memory.touching = true;  // initial geometry with an overlap: its spring is compressed before the first step
         }
-        state_.ledger.elastic_at_start += elastic_energy(state_.contacts.law_of(contact), contact, memory,
-                                                         state_.motion[contact.block], state_.motion[contact.other]);
+        state_.energy_balance.elastic_at_start +=
+            elastic_energy(state_.contacts.law_of(contact), contact, memory, state_.motion[contact.block],
+                           state_.motion[contact.other]);
     }
 }
 
@@ -222,7 +223,7 @@ void Simulation::follow_schedules() {
 
 void Simulation::take_away(std::size_t block, char why) {
     account_for_springs_of_removed(block);
-    state_.ledger.kinetic_damping += kinetic_energy_of(block);
+    state_.energy_balance.kinetic_damping += kinetic_energy_of(block);
     state_.removed[block] = why;
     state_.motion[block].vx = state_.motion[block].vy = state_.motion[block].spin = 0;
     fastest_.reset();
@@ -233,7 +234,7 @@ void Simulation::account_for_springs_of_removed(std::size_t block) {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact contact = state_.contacts.contact[index];
         if (contact.block == block || contact.other == block) {
-            state_.ledger.friction +=
+            state_.energy_balance.friction +=
                 elastic_energy(state_.contacts.law_of(contact), contact, state_.contacts.memory[index],
                                state_.motion[contact.block], state_.motion[contact.other]);
         }
@@ -242,7 +243,7 @@ void Simulation::account_for_springs_of_removed(std::size_t block) {
         const SharedFace& face = bonds_.list()[index].face;
         BondMemory& memory = state_.bond[index];
         if (memory.state == BondState::whole && (face.block == block || face.other == block)) {
-            state_.ledger.friction += bonds_.elastic_energy(index, state_.motion);
+            state_.energy_balance.friction += bonds_.elastic_energy(index, state_.motion);
             memory.state = BondState::block_removed;
             memory.time = state_.time;
         }
@@ -255,7 +256,7 @@ void Simulation::break_bonds() {
     }
     just_broken_ = bonds_.stretch(state_.motion, state_.last_step, state_.time, state_.bond);
     for (const std::size_t bond : just_broken_) {
-        state_.ledger.bonds += bonds_.elastic_energy(bond, state_.motion);
+        state_.energy_balance.bonds += bonds_.elastic_energy(bond, state_.motion);
         check_contacts_of(bonds_.list()[bond].face.block);
         check_contacts_of(bonds_.list()[bond].face.other);
     }
@@ -305,12 +306,12 @@ bool Simulation::check_contacts() {
         return false;
     }
     for (const ContactWatch::Dropped& dropped : contact_watch_.dropped()) {
-        state_.ledger.friction += dropped.memory.friction;
-        state_.ledger.dashpots += dropped.memory.damping;
+        state_.energy_balance.friction += dropped.memory.friction;
+        state_.energy_balance.dashpots += dropped.memory.damping;
         note_base_slip(bodies_, state_.motion, dropped.contact, dropped.memory, up(), state_.dropped_slip);
     }
     for (const std::size_t bond : std::exchange(just_broken_, {})) {
-        state_.ledger.bonds -=
+        state_.energy_balance.bonds -=
             hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion, state_.contacts);
     }
     if (contact_watch_.list_changed()) {
@@ -390,9 +391,9 @@ void Simulation::integrate() {
     fastest_ = 0;
     for (const StepSums& group : sums_) {
         fastest_ = std::max(*fastest_, group.fastest);
-        state_.ledger.applied += group.applied;
-        state_.ledger.prescribed += group.prescribed;
-        state_.ledger.local_damping += group.damped;
+        state_.energy_balance.applied += group.applied;
+        state_.energy_balance.prescribed += group.prescribed;
+        state_.energy_balance.local_damping += group.damped;
         state_.unbalanced = std::max(state_.unbalanced, group.unbalanced);
     }
     state_.time += state_.step;
@@ -406,7 +407,7 @@ void Simulation::integrate() {
 void Simulation::take_velocities_away_at_peaks() {
     const double now = kinetic_energy();
     if (state_.kinetic_rising && now < state_.kinetic_before) {
-        state_.ledger.kinetic_damping += now;
+        state_.energy_balance.kinetic_damping += now;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
             if (held_[block] == 0) {
                 state_.motion[block].vx = state_.motion[block].vy = state_.motion[block].spin = 0;

@@ -51,7 +51,7 @@ class Simulation {
     double tilt() const;          // of gravity, now
     double tilt_of_base() const;  // against gravity: gravity's tilt plus the rotation of fixed blocks
     std::vector<BlockOutcome> block_outcomes() const;
-    EnergyLedger ledger() const;
+    EnergyBalance energy_balance() const;
     double kinetic_energy() const;
     RelaxationResult result() const;
 

@@ -195,9 +195,9 @@ bool Simulation::moves_without_corners() {
     state_.held_by_corners.assign(bodies_.size(), 0);
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         const Motion& now = from.at_rest.motion[block];
-        const PlanePoint<> way(now.x - state_.motion[block].x, now.y - state_.motion[block].y);
+        const PlanePoint<> displacement(now.x - state_.motion[block].x, now.y - state_.motion[block].y);
         state_.held_by_corners[block] =
-            held_[block] == 0 && way.norm() > moves * farthest.displacement * bodies_.radius[block] ? 1 : 0;
+            held_[block] == 0 && displacement.norm() > moves * farthest.displacement * bodies_.radius[block] ? 1 : 0;
     }
     return true;
 }
@@ -222,7 +222,7 @@ void Simulation::audit() {
     if (!ends || outcome() == RelaxationOutcome::overlap_too_large) {
         return;
     }
-    const EnergyLedger energy = ledger();
+    const EnergyBalance energy = energy_balance();
     const double beside = energy.turnover() + energy.elastic_at_start;
     const double settlements = settlements_lacking * energy_of_settlements(scene_, bodies_);
     if (!(std::abs(energy.residual()) <= std::max(most_energy_lacking * beside, settlements))) {
@@ -288,7 +288,7 @@ void Simulation::let_blocks_rest() {
             continue;
         }
         Motion& motion = state_.motion[block];
-        state_.ledger.kinetic_damping += kinetic_energy_of(block);
+        state_.energy_balance.kinetic_damping += kinetic_energy_of(block);
         motion.vx = motion.vy = motion.spin = 0;
         fastest_.reset();
     }

@@ -9,12 +9,12 @@
 
 namespace delabole {
 
-double EnergyLedger::turnover() const {
+double EnergyBalance::turnover() const {
     return std::abs(applied) + std::abs(prescribed) + kinetic + std::abs(elastic) + friction + std::abs(bonds) +
            dashpots + local_damping + kinetic_damping;
 }
 
-double EnergyLedger::residual_share() const {
+double EnergyBalance::residual_share() const {
     // Elastic energy is the difference of two sums over all springs. Overlaps have some twelve digits.
     constexpr double rounding = 1e-9;
     const double lacking = residual();
@@ -39,22 +39,22 @@ double Simulation::kinetic_energy() const {
     return sum;
 }
 
-EnergyLedger Simulation::ledger() const {
-    EnergyLedger ledger = state_.ledger;
-    ledger.kinetic = kinetic_energy();
-    ledger.elastic = bonds_.elastic_energy(state_.motion, state_.bond) - ledger.elastic_at_start;
+EnergyBalance Simulation::energy_balance() const {
+    EnergyBalance energy_balance = state_.energy_balance;
+    energy_balance.kinetic = kinetic_energy();
+    energy_balance.elastic = bonds_.elastic_energy(state_.motion, state_.bond) - energy_balance.elastic_at_start;
     for (const BondMemory& memory : state_.bond) {
-        ledger.dashpots += memory.damping;
+        energy_balance.dashpots += memory.damping;
     }
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact contact = state_.contacts.contact[index];
         const ContactMemory memory = state_.contacts.memory[index];
-        ledger.friction += memory.friction;
-        ledger.dashpots += memory.damping;
-        ledger.elastic += elastic_energy(state_.contacts.law_of(contact), contact, memory, state_.motion[contact.block],
-                                         state_.motion[contact.other]);
+        energy_balance.friction += memory.friction;
+        energy_balance.dashpots += memory.damping;
+        energy_balance.elastic += elastic_energy(state_.contacts.law_of(contact), contact, memory,
+                                                 state_.motion[contact.block], state_.motion[contact.other]);
     }
-    return ledger;
+    return energy_balance;
 }
 
 std::vector<BlockOutcome> Simulation::block_outcomes() const {
@@ -76,7 +76,7 @@ RelaxationResult Simulation::result() const {
     for (std::size_t bond = 0; bond < scene_.bond.size(); ++bond) {
         result.broken_bonds += scene_.bond[bond].material && is_broken(state_.bond[bond].state) ? 1 : 0;
     }
-    result.ledger = ledger();
+    result.energy_balance = energy_balance();
     result.deepest = deepest_contact(bodies_, state_);
     result.overlap = state_.overlap;
     result.cost = {state_.steps, state_.watch.pair_checks, state_.contacts_evaluated, state_.step};

@@ -18,7 +18,7 @@ namespace delabole {
 
 // Energies, J per metre run. Applied work = kinetic + elastic + friction + bonds + dashpots + local damping + kinetic
 // damping + residual.
-struct EnergyLedger {
+struct EnergyBalance {
     double applied = 0;
     double prescribed = 0;
     double kinetic = 0;
@@ -32,7 +32,7 @@ struct EnergyLedger {
     double elastic_at_start = 0;
 
     static constexpr auto fields() {
-        using E = EnergyLedger;
+        using E = EnergyBalance;
         constexpr Dimension energy = Dimension::energy_per_length;
         return std::tuple{
             number("applied", &E::applied, energy, any_number(), "work of gravity and other loads"),
@@ -107,7 +107,7 @@ struct RelaxationState {
     WatchState watch = {};
     std::vector<BondMemory> bond = {};  // in the order of the scene's bonds
     std::vector<BoltMemory> bolt = {};  // in the order of the scene's bolt segments
-    EnergyLedger ledger = {};           // sums; momentary values are filled in on request
+    EnergyBalance energy_balance = {};  // sums; momentary values are filled in on request
 
     // For the decision.
     double unbalanced = 0;       // greatest since the last check

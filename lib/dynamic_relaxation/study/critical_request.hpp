@@ -33,10 +33,6 @@ enum class LoadingPath {
 
 enum class PathChoice { one, all };
 
-inline constexpr std::string_view path_meaning =
-    "how the blocks come to each value; stages only where the scene has some: blocks that they take away are not there "
-    "on the paths preloaded, gravity and sudden; absent: ";
-
 inline constexpr std::string_view paths_meaning = "all: the value on each path and their spread, too; absent: one";
 
 // Search for the constant tilt at which the blocks begin to fail.

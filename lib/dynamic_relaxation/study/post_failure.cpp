@@ -68,7 +68,7 @@ double inclination(const Point& from, const Point& to) {
 class Survey {
   public:
     Survey(const MovedSlope& slope, const PostFailureRequest& request)
-        : slope_(slope), bodies_(slope.bodies), area_(areas()), size_(middling_size()) {
+        : slope_(slope), bodies_(slope.bodies), area_(areas()), size_(median_size()) {
         moved_limit_ = request.moved_share.value_or(0.25) * size_;
         crack_limit_ = request.crack_share.value_or(0.01) * size_;
     }
@@ -99,7 +99,7 @@ class Survey {
         return made;
     }
 
-    double middling_size() const {
+    double median_size() const {
         std::vector<double> areas;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
             if (bodies_.fixed[block] == 0) {

@@ -35,7 +35,7 @@ struct PostFailureRequest {
         using P = PostFailureRequest;
         return std::tuple{
             number("moved_share", &P::moved_share, Dimension::ratio, more_than(0),
-                   "movement at which half of a block counts as failed, in sizes of the middling block; absent: 0.25"),
+                   "movement at which half of a block counts as failed, in sizes of the median block; absent: 0.25"),
             number("crack_share", &P::crack_share, Dimension::ratio, more_than(0),
                    "opening at which a joint at the crest counts as an open crack, likewise; absent: 0.01")};
     }
@@ -53,7 +53,7 @@ struct CrestJoint {
                           number("open", &C::open, Dimension::ratio, any_number(),
                                  "cracks, each by the share of its opening as a block by that of its movement"),
                           number("opening", &C::opening, Dimension::length, any_number(),
-                                 "of all together, none more than the middling block's size"),
+                                 "of all together, none more than the median block's size"),
                           number("farthest", &C::farthest, Dimension::length, any_number(),
                                  "of an open crack behind the crest; 0: none is open")};
     }

@@ -273,7 +273,7 @@ RelaxationAnswer answer_of(const RelaxationResult& result) {
             result.unbalanced_ratio,
             result.deepest ? result.deepest->overlap : 0,
             result.overlap ? result.overlap->area : 0,
-            result.ledger,
+            result.energy_balance,
             static_cast<double>(result.cost.steps),
             result.cost.step,
             static_cast<double>(result.cost.contacts_evaluated),

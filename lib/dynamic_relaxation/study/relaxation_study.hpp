@@ -162,7 +162,7 @@ struct RelaxationAnswer {
     double unbalanced_ratio;
     double greatest_overlap;
     double overlap_area;
-    EnergyLedger energy;
+    EnergyBalance energy;
     double steps;
     double time_step;
     double contacts_evaluated;

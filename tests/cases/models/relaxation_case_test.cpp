@@ -232,7 +232,7 @@ TEST(RelaxationCase, AnswersWithOutcomeBooksAndBlocks) {
     EXPECT_TRUE(standing.unfinished.empty());
     const Analysis sliding = analysis_of(changed(row_text, "\"10 deg\"", "\"35 deg\""));
     EXPECT_EQ(word(sliding, "outcome"), "collapse");
-    // Energy books close to 2 % in every run (issue of the engine); here far better.
+    // Every run has to balance its energy to 2 %; here it is far better.
     EXPECT_LT(std::abs(std::get<double>(sliding.find("energy.residual_share")->value)), 0.02);
     for (const Analysis& analysis : {standing, sliding}) {
         for (const NamedOutput& output : analysis.outputs) {

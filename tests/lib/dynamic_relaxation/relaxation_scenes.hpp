@@ -78,7 +78,7 @@ inline bool ends_as_blocks_do(RelaxationOutcome outcome) {
 // Share of the energy turned over that the energy balance cannot account for. A start in equilibrium turns over next to
 // nothing: below `scale`, J/m, it is all rounding.
 inline double energy_error(const RelaxationResult& result, double scale) {
-    return std::abs(result.ledger.residual()) / (result.ledger.turnover() + scale);
+    return std::abs(result.energy_balance.residual()) / (result.energy_balance.turnover() + scale);
 }
 
 // A flat block: its corners bear the same to a hundredth, and reach their strengths together.

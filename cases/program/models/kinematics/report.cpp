@@ -1,6 +1,4 @@
 // Kinematic feasibility: verdicts, tables and stereonets for reports.
-#include "cases/program/case/starting_cases.hpp"
-#include "cases/program/models/kinematics/slope_of_sets.hpp"
 #include "cases/program/reader/document.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
@@ -10,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string_view>
 
 namespace delabole {
@@ -331,52 +328,7 @@ void append_measured(const KinematicsResult& result, const StereonetDrawing& dra
     folder.write("sets_to_paste.toml", sets_to_paste(result));
 }
 
-// Puts a line in the place of everything from the line that begins with `first` to the next one that ends with `last`.
-void replace_lines(std::string& text, const std::string& first, std::string_view last, const std::string& lines) {
-    const std::size_t begin = text.find("\n" + first) + 1;
-    const std::size_t end = text.find(std::string(last) + "\n", begin) + last.size();
-    text.replace(begin, end - begin, lines);
-}
-
-std::string corner(double x, double y) {
-    return "    { x = \"" + human_number(x, 3) + " m\", y = \"" + human_number(y, 3) + " m\" },\n";
-}
-
 }  // namespace
-
-std::string jointed_slope_of(const KinematicsStudy& study, const KinematicsResult& result) {
-    constexpr double near_the_section = degrees(30);
-    constexpr double height = 12;  // m, as in the starting case
-    constexpr double bench = 14;
-    const SlopeOrientation& face = study.model.slope;
-    std::string cuts;
-    std::string left_out;
-    for (const JointSetFeasibility& set : result.joint_set) {
-        if (std::abs(std::cos(set.mean.dip_direction - face.face_dip_direction)) < std::sin(near_the_section)) {
-            left_out += (left_out.empty() ? "" : ", ") + in_quotes(set.name);
-            continue;
-        }
-        cuts += "    { name = " + in_quotes(set.name) + ", joint = \"joints\", trace = { kind = \"set\", dip = \"" +
-                tenths_of_degree(set.apparent_dip) + " deg\", spacing = \"3 m\" } },  # scatters by " +
-                tenths_of_degree(set.angular_standard_deviation) + " deg\n";
-    }
-    if (cuts.empty()) {
-        throw std::invalid_argument("no joint set crosses the section across the face: all strike within 30 deg of it");
-    }
-    const double crest = height / std::tan(face.face_dip);
-    std::string text = starting_case("jointed_slope");
-    replace_lines(text, "outline = [", "\n]",
-                  "outline = [\n" + corner(0, 0) + corner(crest + bench, 0) + corner(crest + bench, height) +
-                      corner(crest, height) + "]");
-    replace_lines(text, "joint = [", "]",
-                  "joint = [{ name = \"joints\", friction_angle = \"" +
-                      tenths_of_degree(study.model.strength.friction_angle) + " deg\" }]");
-    replace_lines(text, "cut = [", "\n]",
-                  "# Dips in the section across the face; the spacings are examples: replace them by measured ones.\n" +
-                      (left_out.empty() ? "" : "# Without sets that strike within 30 deg of it: " + left_out + ".\n") +
-                      "cut = [\n" + cuts + "]");
-    return text;
-}
 
 Analysis named_outputs(const KinematicsStudy&, const KinematicsResult& result) {
     Analysis analysis;

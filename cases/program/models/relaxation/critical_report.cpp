@@ -286,7 +286,7 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
     const bool watched = study.settings && study.settings->watch;
     head.sentences.push_back((watched ? "Followed past the verdict, as settings.watch asks. " : "") +
                              greatest_pull(made) + " energy balance closes to " +
-                             number_in_words(100 * std::abs(result.ledger.residual_share())) + " % in " +
+                             number_in_words(100 * std::abs(result.energy_balance.residual_share())) + " % in " +
                              number_in_words(static_cast<double>(result.cost.steps)) + " steps.");
     return head;
 }
@@ -342,7 +342,8 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
     if (critical.consolidated_at && plan.is_ratio() && *critical.consolidated_at < 1 && plan.upper >= 1) {
         analysis.warnings.push_back(
             "the blocks do not stand as the case has them: they were consolidated at a factor of " +
-            number_in_words(*critical.consolidated_at));
+            number_in_words(*critical.consolidated_at) +
+            ", on which the value found may depend; critical.paths = \"all\" tells how much");
     }
 }
 

@@ -110,7 +110,7 @@ double speed(const Motion& motion) {
 // blocks: to its scale nothing of theirs would be seen, so that its arrow is no longer than the longest of theirs.
 bool add_velocities(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& bodies) {
     constexpr double at_rest = 1e-6;
-    constexpr double sliver_share = 0.1;  // of the middling block's mass
+    constexpr double sliver_share = 0.1;  // of the median block's mass
     std::vector<std::size_t> blocks;      // the heaviest first
     double size = 0;
     for (std::size_t block = 0; block < bodies.size(); ++block) {

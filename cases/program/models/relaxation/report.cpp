@@ -59,7 +59,7 @@ std::string run_in_words(const RelaxationRun& made) {
         return text;
     }
     case RelaxationOutcome::energy_not_balanced:
-        return "the energy ledger lacks " + number_in_words(100 * made.result.ledger.residual_share()) +
+        return "the energy balance lacks " + number_in_words(100 * made.result.energy_balance.residual_share()) +
                " % of what was turned over, more than the " + number_in_words(100 * most_energy_lacking) +
                " % at which a run can be believed: lower settings.step_fraction";
     case RelaxationOutcome::motion_not_finite:
@@ -194,7 +194,7 @@ void append_run_warnings(const RelaxationRun& made, Analysis& analysis) {
                                     " %: settings.local_damping = 0 gives motion in true time");
     }
     constexpr double large_residual = 0.02;
-    const double residual = result.ledger.residual_share();
+    const double residual = result.energy_balance.residual_share();
     if (std::abs(residual) > large_residual) {
         analysis.warnings.push_back("the energy balance is off by " + number_in_words(100 * residual) +
                                     " % of the energy that was turned over: lower settings.step_fraction");
@@ -389,7 +389,7 @@ Impossibility impossibility(const RelaxationStudy& study, std::string_view) {
     if (found.keys.empty()) {
         return {{"scene"}, "the scene is not valid: " + human_name(word_of(fault.check))};
     }
-    // What the words and keys leave open.
+    // The words and keys leave these places open.
     const std::array<std::pair<std::string_view, std::string>, 5> open{
         {{"{number}", std::to_string(fault.index + 1)},
          {"{block}", block_name(fault.index)},

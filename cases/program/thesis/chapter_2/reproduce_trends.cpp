@@ -128,7 +128,7 @@ using Values = std::array<double, points>;
 // The values are those listed in 2.3.3 and some between them.
 constexpr Values cleavage_spacings{10, 15, 20, 30, 40};
 constexpr Values cleavage_dips{5, 7.5, 10, 12.5, 15};
-constexpr Values slope_angles{50, 60, 65, 70, 75};
+constexpr Values varied_slope_angles{50, 60, 65, 70, 75};
 constexpr Values a_spacings{25, 33, 40, 50, 66};
 constexpr Values b_spacings{20, 25, 33, 40, 50};
 
@@ -139,7 +139,7 @@ void set_cleavage_dip(Trial& trial, std::size_t index) {
     trial.cleavage_dip = degrees(cleavage_dips[index]);
 }
 void set_slope_angle(Trial& trial, std::size_t index) {
-    trial.slope_angle = degrees(slope_angles[index]);
+    trial.slope_angle = degrees(varied_slope_angles[index]);
 }
 void set_a_spacing(Trial& trial, std::size_t index) {
     trial.joint_a_spacing = 1e-3 * a_spacings[index];
@@ -164,7 +164,7 @@ std::vector<Variation> all_series() {
     const std::string single = "Figs 2.11 and 2.12";
     vary("cleavage_spacing", single, "cleavage spacing", "mm", cleavage_spacings, {set_cleavage_spacing});
     vary("cleavage_inclination", single, "cleavage inclination", "deg", cleavage_dips, {set_cleavage_dip});
-    vary("slope_angle", single, "slope angle", "deg", slope_angles, {set_slope_angle});
+    vary("slope_angle", single, "slope angle", "deg", varied_slope_angles, {set_slope_angle});
     vary("joint_a_spacing", single, "joint A spacing", "mm", a_spacings, {set_a_spacing});
     vary("joint_b_spacing", single, "joint B spacing", "mm", b_spacings, {set_b_spacing});
     // It is not legible which way the faults of the thesis dip.
@@ -174,7 +174,7 @@ std::vector<Variation> all_series() {
     };
     vary_fault("fault inclination into the slope", 1, {0, 30, 45, 60, 70});
     vary_fault("fault inclination to the pit", -1, {0, 10, 20, 30, 45});
-    vary("slope_angle", "Fig 2.13", "slope angle, cleavage spacing growing", "deg", slope_angles,
+    vary("slope_angle", "Fig 2.13", "slope angle, cleavage spacing growing", "deg", varied_slope_angles,
          {set_slope_angle, set_cleavage_spacing});
     vary("joint_a_spacing", "Fig 2.13", "joint A spacing, cleavage inclination growing", "mm", a_spacings,
          {set_a_spacing, set_cleavage_dip});

@@ -58,13 +58,13 @@ bool is_steep(const BaseFrictionState& state) {
     return state.slope_angle > degrees(69.5);
 }
 
-constexpr std::array slope_angles{60.0, 65.0, 70.0, 80.0};  // deg, of the tests
+constexpr std::array tested_slope_angles{60.0, 65.0, 70.0, 80.0};  // deg, of the tests
 constexpr std::array behaviours{SlopeBehaviour::stable, SlopeBehaviour::limiting, SlopeBehaviour::unstable};
 
 Table behaviour_table(const States& states, Json& json) {
     Table table{"States by slope angle",
                 {"slope angle, deg"_number, "stable"_number, "limiting"_number, "unstable"_number}};
-    for (const double angle : slope_angles) {
+    for (const double angle : tested_slope_angles) {
         std::vector<std::string> row = {number_in_words(angle)};
         for (const SlopeBehaviour behaviour : behaviours) {
             const long number = count(states, degrees(angle), behaviour);
@@ -349,7 +349,7 @@ Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
     add_base_columns(states, result);
     result.rows.push_back({"lower cross-jointed slopes (11''_S, _S1, _S2)", "fail later",
                            lower_is_later(states) ? "later" : "not later", "", statement(lower_is_later(states))});
-    // Of runs that were made once; no command repeats them.
+    // These runs were made once; no command repeats them.
     result.rows.push_back({"base friction models in motion, states right", "47", "35", "",
                            statement(false) + ": the guess that every slope fails has 34; half of the tests determine "
                                               "nothing of what is not printed"});

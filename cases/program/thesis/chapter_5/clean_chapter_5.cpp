@@ -63,8 +63,9 @@ class Recorder {
             }
         }
         history().outcome = outcome();
-        const EnergyLedger ledger = simulation_.ledger();
-        result_.energy_error = ledger.turnover() > 0 ? std::abs(ledger.residual()) / ledger.turnover() : 0;
+        const EnergyBalance energy_balance = simulation_.energy_balance();
+        result_.energy_error =
+            energy_balance.turnover() > 0 ? std::abs(energy_balance.residual()) / energy_balance.turnover() : 0;
         return result_;
     }
 

@@ -143,7 +143,7 @@ TEST(RelaxationCheckpoint, EventsOfTheEventfulRunHappen) {
     advance(run, steps);
     EXPECT_EQ(run.state().removed[2], 1);
     EXPECT_NEAR(run.state().motion[3].angle, 0.02, 1e-4);  // the last step overshoots by at most its own length
-    EXPECT_GT(run.state().ledger.kinetic_damping, 0);
+    EXPECT_GT(run.state().energy_balance.kinetic_damping, 0);
 }
 
 TEST(RelaxationCheckpoint, ContactsAreSearchedAnewOnTheWay) {
@@ -151,7 +151,7 @@ TEST(RelaxationCheckpoint, ContactsAreSearchedAnewOnTheWay) {
         Simulation run(one.scene, one.settings);
         advance(run, 2000);
         EXPECT_GT(run.state().watch.pair_checks, run.state().watch.pair.size()) << one.name;
-        EXPECT_GT(run.ledger().friction, 0) << one.name;
+        EXPECT_GT(run.energy_balance().friction, 0) << one.name;
     }
 }
 

@@ -56,7 +56,7 @@ bool same_memory(const ContactList& one, const ContactList& other) {
 
 class Shaken : public testing::Test {
   protected:
-    Shaken() : way(bodies.size(), 0), motion(bodies.size()), moved(bodies.size(), 1) {}
+    Shaken() : displacement(bodies.size(), 0), motion(bodies.size()), moved(bodies.size(), 1) {}
 
     // Blocks come by about what makes joints slip and open and close again; or, every fifth time, so far that corners
     // come past the ends of edges.
@@ -76,7 +76,7 @@ class Shaken : public testing::Test {
             at.x = nearer(at.x) + at.vx * step;
             at.y = nearer(at.y) + at.vy * step;
             at.set_angle(nearer(at.angle) + at.spin * step);
-            way[block] += 10 * reach;
+            displacement[block] += 10 * reach;
         }
     }
 
@@ -96,7 +96,7 @@ class Shaken : public testing::Test {
     double all_move = -1;  // the farther above -1, the more blocks stand still
     RelaxationScene scene = wall();
     Bodies bodies = make_bodies(scene);
-    std::vector<double> way;
+    std::vector<double> displacement;
     std::vector<Motion> motion;
     std::vector<char> moved;
     ContactList list =
@@ -120,12 +120,12 @@ TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
         shake();
         const char* const all = round % 2 == 0 ? nullptr : moved.data();
         std::vector<BlockForce> sum(bodies.size());
-        const std::size_t count =
-            GetParam().evaluate_and_sum(sweep_of(motion, way, all, step, list), 0, list.contact.size(), sum.data());
+        const std::size_t count = GetParam().evaluate_and_sum(sweep_of(motion, displacement, all, step, list), 0,
+                                                              list.contact.size(), sum.data());
 
         std::size_t expected = 0;
         std::vector<BlockForce> expected_sum(bodies.size());
-        const ContactSweep alone = sweep_of(motion, way, all, step, one_by_one);
+        const ContactSweep alone = sweep_of(motion, displacement, all, step, one_by_one);
         for (std::size_t index = 0; index < one_by_one.contact.size(); ++index) {
             const RelaxationContact contact = one_by_one.contact[index];
             if (!alone.stays_open(index) && alone.concerned(index)) {
@@ -196,8 +196,8 @@ TEST_P(ContactLoops, GiveTheSameBitsPartByPart) {
         shake();
         const char* const all = round % 2 == 0 ? nullptr : moved.data();
         std::vector<BlockForce> sum(bodies.size());
-        const std::size_t count =
-            GetParam().evaluate_and_sum(sweep_of(motion, way, all, step, list), 0, list.contact.size(), sum.data());
+        const std::size_t count = GetParam().evaluate_and_sum(sweep_of(motion, displacement, all, step, list), 0,
+                                                              list.contact.size(), sum.data());
         std::vector<BlockForce> sum_in_parts(bodies.size());
         std::size_t count_in_parts = 0;
         std::size_t begin = 0;
@@ -208,7 +208,7 @@ TEST_P(ContactLoops, GiveTheSameBitsPartByPart) {
                    list.contact.blocks()[end].pair() == list.contact.blocks()[end - 1].pair()) {
                 ++end;
             }
-            const ContactSweep sweep = sweep_of(motion, way, all, step, in_parts);
+            const ContactSweep sweep = sweep_of(motion, displacement, all, step, in_parts);
             count_in_parts += round % 3 == 0 ? GetParam().evaluate(sweep, begin, end)
                                              : GetParam().evaluate_and_sum(sweep, begin, end, sum_in_parts.data());
             begin = end;
@@ -232,8 +232,8 @@ TEST_P(ContactLoops, GiveTheSameBitsBesideABlockThatIsLost) {
             shake();
             std::vector<Motion> with_lost = motion;
             with_lost[12].x = lost;
-            GetParam().evaluate(sweep_of(with_lost, way, nullptr, step, list), 0, list.contact.size());
-            const ContactSweep alone = sweep_of(with_lost, way, nullptr, step, one_by_one);
+            GetParam().evaluate(sweep_of(with_lost, displacement, nullptr, step, list), 0, list.contact.size());
+            const ContactSweep alone = sweep_of(with_lost, displacement, nullptr, step, one_by_one);
             for (std::size_t index = 0; index < one_by_one.contact.size(); ++index) {
                 if (!alone.stays_open(index)) {
                     evaluate_contact(alone, index);
@@ -271,18 +271,18 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     std::uniform_real_distribution<double> some(-1, 1);
     std::vector<BlockForce> forces(bodies.size());
     std::vector<BlockForce> loads(bodies.size());
-    std::vector<std::uint32_t> calm(bodies.size(), 3);
+    std::vector<std::uint32_t> at_rest(bodies.size(), 3);
     shake();
     // At rest, until its load wakes it.
     constexpr std::size_t resting = 15;
-    calm[resting] = 4;
+    at_rest[resting] = 4;
     motion[resting].vx = motion[resting].vy = motion[resting].spin = 0;
     // Turns beyond a hundredth of a radian, and blocks that do not turn.
     motion[3].set_angle(0.5);
     motion[4].spin = motion[9].spin = 0;
     std::vector<Motion> one_by_one = motion;
-    std::vector<double> way_one_by_one = way;
-    std::vector<std::uint32_t> calm_one_by_one = calm;
+    std::vector<double> displacement_one_by_one = displacement;
+    std::vector<std::uint32_t> at_rest_one_by_one = at_rest;
     NoticedMotion noticed;
     noticed.resize(bodies.size());
     for (std::size_t block = 0; block < bodies.size(); ++block) {
@@ -290,11 +290,11 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     }
     NoticedMotion noticed_one_by_one = noticed;
     std::size_t times_noticed = 0;
-    const auto sweep = [&](std::vector<Motion>& moving, std::vector<double>& ways, std::vector<std::uint32_t>& calms,
-                           NoticedMotion& noticing) {
+    const auto sweep = [&](std::vector<Motion>& moving, std::vector<double>& displacements,
+                           std::vector<std::uint32_t>& rests, NoticedMotion& noticing) {
         return BlockSweep{
-            bodies, scales, bodies.fixed.data(), forces.data(), forces.data(), loads.data(), 0.3, step, step,
-            1e-6,   4,      moving.data(),       ways.data(),   calms.data(),  noticing};
+            bodies, scales, bodies.fixed.data(), forces.data(),        forces.data(), loads.data(), 0.3, step, step,
+            1e-6,   4,      moving.data(),       displacements.data(), rests.data(),  noticing};
     };
     for (int round = 0; round < 50; ++round) {
         for (std::size_t block = 0; block < bodies.size(); ++block) {
@@ -303,21 +303,21 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
             loads[block] = {0, block == resting && round < 25 ? 0 : -1e3, 0};
         }
         const NoticedMotion before = noticed;
-        const StepSums sums = move_blocks(sweep(motion, way, calm, noticed), 0, bodies.size());
+        const StepSums sums = move_blocks(sweep(motion, displacement, at_rest, noticed), 0, bodies.size());
         StepSums expected;
         for (std::size_t block = 0; block < bodies.size(); ++block) {
-            const StepSums own =
-                move_blocks(sweep(one_by_one, way_one_by_one, calm_one_by_one, noticed_one_by_one), block, block + 1);
+            const StepSums own = move_blocks(
+                sweep(one_by_one, displacement_one_by_one, at_rest_one_by_one, noticed_one_by_one), block, block + 1);
             expected.fastest = std::max(expected.fastest, own.fastest);
             expected.applied += own.applied;
             expected.damped += own.damped;
             expected.unbalanced = std::max(expected.unbalanced, own.unbalanced);
         }
         ASSERT_TRUE(same_bytes(motion, one_by_one)) << round;
-        ASSERT_TRUE(same_bytes(way, way_one_by_one)) << round;
-        ASSERT_TRUE(same_bytes(calm, calm_one_by_one)) << round;
+        ASSERT_TRUE(same_bytes(displacement, displacement_one_by_one)) << round;
+        ASSERT_TRUE(same_bytes(at_rest, at_rest_one_by_one)) << round;
         ASSERT_EQ(noticed.moved, noticed_one_by_one.moved) << round;
-        EXPECT_EQ(noticed.moved[resting] != 0 || calm[resting] < 4, round >= 25) << round;
+        EXPECT_EQ(noticed.moved[resting] != 0 || at_rest[resting] < 4, round >= 25) << round;
         for (std::size_t block = 0; block < bodies.size(); ++block) {
             const double come = std::abs(motion[block].x - before.x[block]) +
                                 std::abs(motion[block].y - before.y[block]) +
@@ -353,8 +353,8 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     for (const std::size_t block : {6U, 7U}) {
         motion[block].vx = one_by_one[block].vx = std::numeric_limits<double>::quiet_NaN();
     }
-    move_blocks(sweep(motion, way, calm, noticed), 4, 8);
-    move_blocks(sweep(one_by_one, way_one_by_one, calm_one_by_one, noticed_one_by_one), 6, 7);
+    move_blocks(sweep(motion, displacement, at_rest, noticed), 4, 8);
+    move_blocks(sweep(one_by_one, displacement_one_by_one, at_rest_one_by_one, noticed_one_by_one), 6, 7);
     EXPECT_EQ(noticed.moved[6], 1);
     EXPECT_EQ(noticed.moved[7], 1);
     EXPECT_EQ(noticed_one_by_one.moved[6], 1);

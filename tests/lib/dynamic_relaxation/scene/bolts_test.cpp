@@ -117,7 +117,7 @@ TEST(Bolts, GoOnFromACheckpoint) {
     }
     EXPECT_GT(whole.state().bolt[0].yielded, 0);
     EXPECT_EQ(resumed.state().bolt[0].yielded, whole.state().bolt[0].yielded);
-    EXPECT_EQ(resumed.result().ledger.applied, whole.result().ledger.applied);
+    EXPECT_EQ(resumed.result().energy_balance.applied, whole.result().energy_balance.applied);
 }
 
 // A bolt does not make a run unstable, however stiff it is beside the joints.

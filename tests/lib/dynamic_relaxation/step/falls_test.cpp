@@ -38,7 +38,7 @@ TEST(Falls, NoBlockGoesThroughTheFloorWhateverItsAngle) {
         ASSERT_TRUE(landing);
         EXPECT_TRUE(landing->ended()) << angle;
         EXPECT_LT(landing->deepest, 0.02) << angle;  // a fall of 20 m presses a corner in by 0.4 % of the short edge
-        EXPECT_LT(std::abs(landing->result.ledger.residual_share()), 0.02) << angle;
+        EXPECT_LT(std::abs(landing->result.energy_balance.residual_share()), 0.02) << angle;
     }
 }
 
@@ -67,7 +67,7 @@ TEST(Falls, OfAllKindsStayOutOfEachOtherAndKeepEnergy) {
             }
             EXPECT_TRUE(landing->ended()) << seed;
             EXPECT_LT(landing->deepest, limit_and_a_little) << static_cast<int>(count.kind) << " " << seed;
-            EXPECT_LT(std::abs(landing->result.ledger.residual_share()), 0.025)
+            EXPECT_LT(std::abs(landing->result.energy_balance.residual_share()), 0.025)
                 << static_cast<int>(count.kind) << " " << seed;
         }
         EXPECT_GT(ran, count.runs / 2) << static_cast<int>(count.kind);
@@ -137,7 +137,7 @@ TEST(Audit, EnergyThatIsNotThereIsNoOutcome) {
         Simulation simulation(fall.scene, settings);
         RelaxationState state = simulation.state();
         // Of the work of the fall, 19.5 m and what the block lies down by. The turnover is twice that.
-        state.ledger.applied += share * 0.5 * density * gravity * 19.5;
+        state.energy_balance.applied += share * 0.5 * density * gravity * 19.5;
         Simulation run(fall.scene, settings, state);
         while (run.running()) {
             run.step();
@@ -204,7 +204,7 @@ TEST(StepFraction, StandsAtItsGreatestWithAnyDamping) {
                     << local << " " << viscous << " " << height;
                 // J/m, of a block that falls by its settlement; what is not damped goes on swinging.
                 const double weight = density * gravity * height;
-                EXPECT_LT(result.ledger.kinetic, 13 * weight * weight / stiffness)
+                EXPECT_LT(result.energy_balance.kinetic, 13 * weight * weight / stiffness)
                     << local << " " << viscous << " " << height;
             }
         }

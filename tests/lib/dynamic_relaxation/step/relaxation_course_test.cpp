@@ -192,19 +192,19 @@ TEST(Start, OfAThousandBricksFindsTheirBalance) {
     EXPECT_LE(result.start_balance->unbalanced_ratio, settings.equilibrium_ratio / 10);
 }
 
-TEST(EnergyLedger, LacksNothingWhereOnlyRoundingIsTurnedOver) {
-    EnergyLedger books;
-    EXPECT_EQ(books.residual_share(), 0);
-    books.elastic_at_start = 1;
-    books.applied = 1e-14;
-    books.elastic = -1e-12;
-    EXPECT_EQ(books.residual_share(), 0);
-    books.elastic = -1e-8;
-    EXPECT_GT(books.residual_share(), 0.9);
-    books.applied = 10;
-    books.friction = 9;
-    books.elastic = 0;
-    EXPECT_DOUBLE_EQ(books.residual_share(), 1.0 / 19);
+TEST(EnergyBalance, LacksNothingWhereOnlyRoundingIsTurnedOver) {
+    EnergyBalance balance;
+    EXPECT_EQ(balance.residual_share(), 0);
+    balance.elastic_at_start = 1;
+    balance.applied = 1e-14;
+    balance.elastic = -1e-12;
+    EXPECT_EQ(balance.residual_share(), 0);
+    balance.elastic = -1e-8;
+    EXPECT_GT(balance.residual_share(), 0.9);
+    balance.applied = 10;
+    balance.friction = 9;
+    balance.elastic = 0;
+    EXPECT_DOUBLE_EQ(balance.residual_share(), 1.0 / 19);
 }
 
 TEST(KineticDamping, FindsTheSameThreshold) {

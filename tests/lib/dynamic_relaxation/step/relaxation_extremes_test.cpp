@@ -117,7 +117,7 @@ TEST(Similarity, OfLengths) {
             EXPECT_EQ(one.time * std::sqrt(length), other.time) << length;
             EXPECT_EQ(one.block[0].rotation, other.block[0].rotation) << length;
             EXPECT_EQ(one.block[0].displacement * length, other.block[0].displacement) << length;
-            EXPECT_EQ(one.ledger.applied * length * length * length, other.ledger.applied) << length;
+            EXPECT_EQ(one.energy_balance.applied * length * length * length, other.energy_balance.applied) << length;
         }
         for (const double length : {1e-3, 0.0254, 50.0, 5000.0}) {
             const RelaxationResult other = toppling_block(length, 1, tilt, std::sqrt(length));
@@ -139,7 +139,7 @@ TEST(Similarity, OfUnitWeights) {
             EXPECT_EQ(one.outcome, other.outcome) << factor;
             EXPECT_EQ(one.cost.steps, other.cost.steps) << factor;
             EXPECT_EQ(one.block[0].rotation, other.block[0].rotation) << factor;
-            EXPECT_EQ(one.ledger.applied * factor, other.ledger.applied) << factor;
+            EXPECT_EQ(one.energy_balance.applied * factor, other.energy_balance.applied) << factor;
         }
         for (const double unit_weight : {0.1e3, 1e3, 100e3}) {
             const RelaxationResult other = toppling_block(1, unit_weight / (density * gravity), tilt, 1);

@@ -137,8 +137,8 @@ TEST(EnergyOfRemoval, IsBookedWithTheBlock) {
     RelaxationScene scene = scene_of(plane);
     scene.removal = {{0, 0.2}};
     const RelaxationResult result = relax(scene, for_so_long(0.3));
-    ASSERT_GT(result.ledger.kinetic_damping, 0.1 * result.ledger.applied);
-    EXPECT_NEAR(result.ledger.residual_share(), 0, 1e-3);  // work of the last half step
+    ASSERT_GT(result.energy_balance.kinetic_damping, 0.1 * result.energy_balance.applied);
+    EXPECT_NEAR(result.energy_balance.residual_share(), 0, 1e-3);  // work of the last half step
 }
 
 // A run that goes on whatever happens is judged by how it ends: these were all "undecided".

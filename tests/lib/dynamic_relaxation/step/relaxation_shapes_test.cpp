@@ -76,7 +76,7 @@ TEST(Corners, OnACornerDoNotExplode) {
         const RelaxationResult result = simulation.result();
         EXPECT_TRUE(ends_as_blocks_do(result.outcome)) << index;
         EXPECT_LT(energy_error(result, 1e-6 * density * gravity), 0.02) << index;
-        EXPECT_LE(result.ledger.kinetic, result.ledger.applied + 1e-6 * density * gravity) << index;
+        EXPECT_LE(result.energy_balance.kinetic, result.energy_balance.applied + 1e-6 * density * gravity) << index;
         for (std::size_t block = 0; block + 1 < scene.block.size(); ++block) {
             // Nothing sinks, and nothing is farther away than it can have fallen over.
             EXPECT_GT(lowest(simulation.state(), simulation.bodies(), block), -1e-3) << index;
@@ -251,12 +251,12 @@ TEST(Fuzz, HeapsOfPolygonsDoNotExplodeOrSink) {
         while (simulation.running()) {
             simulation.step();
         }
-        const EnergyLedger ledger = simulation.ledger();
+        const EnergyBalance energy_balance = simulation.energy_balance();
         EXPECT_TRUE(ends_as_blocks_do(simulation.outcome())) << "trial " << trial;
-        ASSERT_TRUE(std::isfinite(ledger.kinetic)) << "trial " << trial;
-        // No energy from nowhere. What is lost beyond the books is that of impacts which last some eight steps.
-        EXPECT_GT(ledger.residual(), -0.02 * ledger.turnover()) << "trial " << trial;
-        EXPECT_LT(ledger.residual(), 0.05 * ledger.turnover()) << "trial " << trial;
+        ASSERT_TRUE(std::isfinite(energy_balance.kinetic)) << "trial " << trial;
+        // No energy from nowhere. What is lost beyond it is that of impacts which last some eight steps.
+        EXPECT_GT(energy_balance.residual(), -0.02 * energy_balance.turnover()) << "trial " << trial;
+        EXPECT_LT(energy_balance.residual(), 0.05 * energy_balance.turnover()) << "trial " << trial;
         for (std::size_t block = 0; block < count; ++block) {
             // A fall from 4 m onto the softest springs goes b sqrt(2 h W / k b) = 0.03 m deep.
             EXPECT_GT(lowest(simulation.state(), simulation.bodies(), block), -0.03)

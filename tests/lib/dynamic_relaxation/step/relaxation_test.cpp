@@ -92,9 +92,9 @@ TEST(FreeSlide, FrictionTakesItsShare) {
     EXPECT_NEAR(result.block[0].displacement, expected, 1e-3 * expected);
     // Slip is booked from the second corner's first slip on.
     EXPECT_NEAR(result.block[0].base_slip, -result.block[0].displacement, 1e-3 * expected);
-    EXPECT_NEAR(result.ledger.friction,
+    EXPECT_NEAR(result.energy_balance.friction,
                 density * 0.5 * gravity * std::cos(row.tilt) * std::tan(row.base_friction) * expected,
-                2e-3 * result.ledger.friction);
+                2e-3 * result.energy_balance.friction);
 }
 
 // A block on springs without damping swings as a harmonic oscillator: y = -(W/2k)(1 - cos(sqrt(2k/m) t)).
@@ -341,7 +341,7 @@ TEST(Books, BalanceInRandomisedDoubleBlocks) {
         EXPECT_LT(error, 0.02) << "trial " << trial;
         // Nothing can move faster than its fall allows.
         const double fall = 2 * 9.81 * row.height_to_width;
-        EXPECT_LT(result.ledger.kinetic, density * row.height_to_width * 2 * fall / 2) << "trial " << trial;
+        EXPECT_LT(result.energy_balance.kinetic, density * row.height_to_width * 2 * fall / 2) << "trial " << trial;
     }
     RecordProperty("worst_energy_error", std::to_string(worst));
 }
