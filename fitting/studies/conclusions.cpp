@@ -88,6 +88,47 @@ void describe(std::vector<double> values, TestFinding& finding) {
                                  all ? values.back() : sorted_quantile(values, 1 - tail));
 }
 
+// Probability that a value of the one exceeds one of the other, which are sorted; equal ones count half.
+double share_greater(const std::vector<double>& one, const std::vector<double>& other) {
+    double pairs = 0;
+    for (const double value : one) {
+        const auto [first, last] = std::equal_range(other.begin(), other.end(), value);
+        pairs += static_cast<double>((first - other.begin()) + (last - other.begin())) / 2;
+    }
+    return pairs / static_cast<double>(one.size() * other.size());
+}
+
+std::optional<Decider> decider_of(const ConclusionTest& test, const std::vector<std::vector<double>>& points,
+                                  const std::vector<double>& values, const MechanismFit& fit) {
+    constexpr double chance = 4;  // standard errors of the share; more than usual, because draws depend on each other
+    std::optional<Decider> most;
+    double greatest = 0;
+    for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
+        std::vector<double> holding;
+        std::vector<double> failing;
+        for (std::size_t draw = 0; draw < values.size(); ++draw) {
+            if (!std::isnan(values[draw])) {
+                (holds(values[draw], test) ? holding : failing).push_back(points[draw][index]);
+            }
+        }
+        if (holding.empty() || failing.empty()) {
+            return {};
+        }
+        std::ranges::sort(holding);
+        std::ranges::sort(failing);
+        const double apart = std::abs(share_greater(holding, failing) - 0.5);
+        const auto one = static_cast<double>(holding.size());
+        const auto other = static_cast<double>(failing.size());
+        // The standard error of Mann and Whitney.
+        if (apart > std::max(greatest, chance * std::sqrt((one + other + 1) / (12 * one * other)))) {
+            greatest = apart;
+            most = Decider{fit.parameters[index].name, fit.dimensions[index], sorted_quantile(holding, 0.5),
+                           sorted_quantile(failing, 0.5)};
+        }
+    }
+    return most;
+}
+
 class QuantityJudge {
   public:
     QuantityJudge(const FitProblem& problem, const FitResult& result, ProgressMeter& progress, StopFlag stop)
@@ -116,7 +157,10 @@ class QuantityJudge {
         if (stop_requested(stop_)) {
             return finding;
         }
-        count(test, std::move(values), finding);
+        count(test, values, finding);
+        if (finding.verdict == ConclusionVerdict::undecided) {
+            finding.decider = decider_of(test, points, values, *fit);
+        }
         const MechanismWeight& weight = weights_[static_cast<std::size_t>(fit - result_.mechanisms.begin())];
         if (fit->posterior && weight.probability + 2 * weight.standard_error < least_probability) {
             finding.improbable = weight.probability;

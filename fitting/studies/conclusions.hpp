@@ -14,6 +14,7 @@
 #include "fitting/work/progress.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace delabole {
@@ -29,6 +30,15 @@ enum class ConclusionVerdict {
     not_tested,  // its mechanisms were not fitted, or there is no test
 };
 
+// The parameter whose values differ most between draws at which a claim holds and draws at which it does not: better
+// known, it would decide the claim rather than any other.
+struct Decider {
+    std::string parameter;
+    Dimension dimension;
+    double where_it_holds;  // medians, SI
+    double where_it_fails;
+};
+
 struct TestFinding {
     ConclusionVerdict verdict = ConclusionVerdict::not_tested;  // never partly
     double value = 0;           // probability; median of the quantity or of the difference; NaN without an answer
@@ -38,6 +48,7 @@ struct TestFinding {
     int without_answer = 0;     // among the draws
     int holding = 0;            // among the draws
     std::optional<double> improbable = {};  // probability of the mechanism asked, if below least_probability
+    std::optional<Decider> decider = {};    // of an undecided claim about a quantity; absent if chance would do as much
 };
 
 struct ConclusionFinding {

@@ -46,7 +46,8 @@ expect "and the case that was analysed holds it" refuse cmp -s \
     <(grep -A9 '^\[\[support\]\]' support.toml | grep '^rows\|^length') <(grep '^rows\|^length' support/resolved.toml)
 delabole run support.toml --set support_design.factor_of_safety=50 --out too_much
 expect_status 0
-expect_output 'None of 180 patterns gives FS 50; the strongest'
+expect_output 'None of 180 patterns gives FS 50 (choose beyond the range of support[1].rows and support[1].spacing, or '
+expect_output 'give the bolts more capacity); the strongest, shown here: 5 rows, spacing 1.5 m, '
 high='[{ input = "support[1].lowest_height", from = "13 m", to = "20 m", points = 3 }]'
 for command in run sensitivity; do
     delabole $command support.toml --set support_design.choose="$high" --out too_high

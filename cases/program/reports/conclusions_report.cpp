@@ -4,6 +4,7 @@
 #include "cases/program/reader/units.hpp"
 #include "fitting/work/words.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace delabole {
@@ -67,6 +68,47 @@ std::string asked_in_words(const ConclusionTest& test) {
                             : "probability of " + list_in_words(std::get<ClaimOfMechanisms>(test.of).mechanisms);
 }
 
+// What would decide a test that is not decided.
+std::string decision_of(const ConclusionTest& test, const TestFinding& finding) {
+    const auto* claim = std::get_if<ClaimOfQuantity>(&test.of);
+    const std::vector<std::string> asked =
+        claim != nullptr ? std::vector{claim->mechanism} : std::get<ClaimOfMechanisms>(test.of).mechanisms;
+    if (finding.verdict == ConclusionVerdict::not_tested) {
+        return "a fit of " + list_in_words(asked) + " (--with-costly)";
+    }
+    if (claim == nullptr || finding.improbable) {
+        return "evidence that tells " + list_in_words(asked) + " from the other mechanisms";
+    }
+    if (!finding.decider) {
+        return "no parameter of " + claim->mechanism + " alone";
+    }
+    const auto shown = [&](double value) { return value_in_words(value, finding.decider->dimension); };
+    return finding.decider->parameter + " of " + claim->mechanism + ", known better: it holds at about " +
+           shown(finding.decider->where_it_holds) + ", not at about " + shown(finding.decider->where_it_fails);
+}
+
+// The same for a conclusion: of each of its tests, once; empty if it is decided.
+std::string decision_of(const Conclusion& conclusion, const ConclusionFinding& finding) {
+    if (finding.verdict != ConclusionVerdict::undecided && finding.verdict != ConclusionVerdict::not_tested) {
+        return {};
+    }
+    std::vector<std::string> deciding;
+    for (std::size_t number = 0; number < conclusion.tests.size(); ++number) {
+        const ConclusionVerdict verdict = finding.tests[number].verdict;
+        if (verdict == ConclusionVerdict::undecided || verdict == ConclusionVerdict::not_tested) {
+            const std::string one = decision_of(conclusion.tests[number], finding.tests[number]);
+            if (std::ranges::find(deciding, one) == deciding.end()) {
+                deciding.push_back(one);
+            }
+        }
+    }
+    std::string text;
+    for (const std::string& one : deciding) {
+        text += (text.empty() ? "" : "; ") + one;
+    }
+    return text.empty() ? "a test: this case has none of it" : text;
+}
+
 Json json_of(const ConclusionTest& test, const TestFinding& finding) {
     Json json;
     json["claim"] = test.claim;
@@ -93,7 +135,8 @@ StudyDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
                                     Report& report) {
     StudyDocuments documents;
     report.blocks.emplace_back(Heading{"Conclusions held against the fit"});
-    Table table{"What was concluded", {"conclusion", "statement", "by this fit", "source", "note"}};
+    Table table{"What was concluded",
+                {"conclusion", "statement", "by this fit", "what would decide it", "source", "note"}};
     Table tests{
         "The median over draws of the posterior, with the range of 68 % of them (of all "
         "where they are fewer than twenty)",
@@ -103,11 +146,14 @@ StudyDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
     for (std::size_t index = 0; index < conclusions.size(); ++index) {
         const Conclusion& conclusion = conclusions[index];
         const std::string verdict = in_words(findings[index].verdict);
-        table.rows.push_back({conclusion.label, conclusion.statement, verdict, conclusion.source, conclusion.note});
+        const std::string decision = decision_of(conclusion, findings[index]);
+        table.rows.push_back(
+            {conclusion.label, conclusion.statement, verdict, decision, conclusion.source, conclusion.note});
         screen.push_back({conclusion.label, verdict, conclusion.statement});
         Json& json = documents.json[conclusion.label];
         json["statement"] = conclusion.statement;
         json["verdict"] = word_of(findings[index].verdict);
+        json["would_decide"] = decision;
         json["tests"] = Json::array();
         for (std::size_t number = 0; number < conclusion.tests.size(); ++number) {
             const ConclusionTest& test = conclusion.tests[number];
@@ -123,6 +169,9 @@ StudyDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
                          std::string(word_of(test.relation)), std::string(display_unit(test.dimension).symbol),
                          static_cast<double>(finding.draws), static_cast<double>(finding.holding),
                          std::string(word_of(finding.verdict))});
+        }
+        if (!decision.empty()) {
+            screen.push_back({"", "would decide it", decision});
         }
     }
     folder.write("conclusions.csv", csv.text());

@@ -3,6 +3,8 @@
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
+#include <cmath>
+
 namespace delabole {
 
 namespace {
@@ -64,6 +66,21 @@ std::string without_support_in_words(CaseModel model) {
     return value != nullptr ? ", instead of FS " + number_in_words(*value) + " without these bolts" : "";
 }
 
+// What to try where no pattern suffices: the strongest one tells which of the given ranges was too narrow.
+std::string remedy_for(const SupportDesign& design, const TriedSupport& strongest) {
+    std::vector<std::string> at_end;
+    for (std::size_t index = 0; index < design.choices.size(); ++index) {
+        const SupportChoice& choice = design.choices[index];
+        const double nearness = 1e-9 * std::abs(choice.to - choice.from);
+        const double value = strongest.values[index];
+        if (std::abs(value - choice.from) <= nearness || std::abs(value - choice.to) <= nearness) {
+            at_end.push_back(choice.input);
+        }
+    }
+    return (at_end.empty() ? "" : "choose beyond the range of " + list_in_words(at_end) + ", or ") +
+           "give the bolts more capacity";
+}
+
 std::string sentence_of(const SupportDesign& design, const SupportDesignResult& found, const std::string& without) {
     const std::string patterns = std::to_string(found.patterns) + " patterns";
     const TriedSupport* shown = answer_of(found);
@@ -75,7 +92,8 @@ std::string sentence_of(const SupportDesign& design, const SupportDesignResult& 
     const std::string what = choice_in_words(design, *shown) + ", for " + number_in_words(shown_cost(shown->cost)) +
                              per_length_of_slope() + without + ".";
     return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + ": " + what
-                          : "None of " + patterns + " gives " + factor + "; the strongest, shown here: " + what;
+                          : "None of " + patterns + " gives " + factor + " (" + remedy_for(design, *shown) +
+                                "); the strongest, shown here: " + what;
 }
 
 Figure cost_figure(const DesignedSupport& support, const TriedSupport& answer) {

@@ -268,17 +268,14 @@ TEST(RelaxationCase, ASearchThatFindsNothingSaysWhichBoundToMove) {
     EXPECT_EQ(high.unfinished, "the blocks fail even at 5 deg: raise critical.upper");
 }
 
-// No cheap search ends between two verdicts, so that the answer is made up.
 TEST(RelaxationCase, AnUndecidedSearchSaysWhatToRaiseAndItsBracket) {
-    RelaxationStudyAnswer answer;
+    RelaxationStudyAnswer answer;  // made up: no cheap search ends between two verdicts
     answer.plan = CriticalPlan{CriticalParameter::strength_reduction, 0.5, 2, 0.01, {LoadingPath::consolidated}, {}};
-    answer.critical.emplace().status = CriticalStatus::undecided;
-    answer.critical->stands = 0.6, answer.critical->last = 0.65, answer.critical->fails = 0.7;
-    const std::string opens = "No factor of safety found: at 0.65 the blocks neither came to rest nor failed within "
-                              "settings.duration: raise it.";
-    EXPECT_EQ(head_card({}, answer).sentences.front(), opens + " They stand at 0.6 and fail at 0.7.");
-    answer.critical->fails = 2;  // the bound, which no run was made at
-    EXPECT_EQ(head_card({}, answer).sentences.front(), opens);
+    answer.critical =
+        CriticalAnswer{{{.status = CriticalStatus::undecided, .stands = 0.6, .fails = 0.7, .last = 0.65}}};
+    EXPECT_TRUE(head_card({}, answer).sentences.front().ends_with("raise it. They stand at 0.6 and fail at 0.7."));
+    answer.critical->fails = 2;  // the bound, at which there was no run
+    EXPECT_TRUE(head_card({}, answer).sentences.front().ends_with("within settings.duration: raise it."));
 }
 
 TEST(RelaxationCase, ASearchShowsItsBracketBesideItsAnswer) {

@@ -124,6 +124,26 @@ TEST(Conclusions, QuantitiesAreAskedAtDrawsOfThePosterior) {
     EXPECT_NEAR(findings[1].interval_68.upper, 1, 0.3);
 }
 
+TEST(Conclusions, TheParameterThatWouldDecideIsNamed) {
+    FitProblem problem = two_mechanisms();
+    problem.mechanisms[0].model = formula_model(2, {"y", "z"}, [](std::span<const double> x) {
+        return answer({std::abs(x[0]), x[0]});
+    });
+    const auto claim = [](const char* quantity, double limit) {
+        return claim_of(ClaimOfQuantity{"likely", quantity, {}, {}}, Relation::at_least, limit);
+    };
+    const auto findings = findings_of(problem, {claim("z", 0), claim("y", 0.674), claim("z", -3)});
+    ASSERT_TRUE(findings[0].decider);
+    EXPECT_EQ(findings[0].decider->parameter, "x1");
+    // Medians of the halves of a standard normal number are 0.674, with a standard error of 0.04 from 500 draws.
+    EXPECT_NEAR(findings[0].decider->where_it_holds, 0.674, 0.15);
+    EXPECT_NEAR(findings[0].decider->where_it_fails, -0.674, 0.15);
+    EXPECT_EQ(findings[1].verdict, Verdict::undecided);
+    EXPECT_FALSE(findings[1].decider);  // it holds where x1 is great or small: neither is more of it
+    EXPECT_EQ(findings[2].verdict, Verdict::confirmed);
+    EXPECT_FALSE(findings[2].decider);
+}
+
 TEST(Conclusions, ADifferenceIsTakenAtTheSameDraw) {
     const std::vector<Condition> raised = {{"x2", 2}};
     const std::vector<Condition> known = {{"x1", 1}};
