@@ -342,6 +342,17 @@ expect_result_is_newest() {
 }
 
 # Opens a report in a browser at the width of a desktop and of a phone, and as printed on paper.
+# expect_order FILE TEXT...: each text stands on a later line than the one before it.
+expect_order() {
+    local file=$1 line=0 text
+    shift
+    checks=$((checks + 1))
+    for text in "$@"; do
+        line=$(awk -v from="$line" -v text="$text" 'NR > from && index($0, text) { print NR; exit }' "$file")
+        [[ -n $line ]] || { fail "$file: $text is missing or stands too early" && return; }
+    done
+}
+
 in_browser() {
     local name=$1
     checks=$((checks + 1))

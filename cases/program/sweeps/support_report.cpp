@@ -165,6 +165,9 @@ std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::func
 
 void add_to_head(const DesignedSupport& support, HeadCard& head) {
     constexpr std::size_t most_sentences = 3;
+    if (answer_of(support.found) != nullptr && head.sentences.front().starts_with("FS ")) {
+        head.sentences.front() = "With these bolts " + head.sentences.front();
+    }
     head.sentences.insert(head.sentences.begin() + 1, support.sentence);
     head.sentences.resize(std::min(head.sentences.size(), most_sentences));
 }
