@@ -16,7 +16,8 @@ foreach(case
     delabole_1967/delabole_joint_sets plane_failure/dry_cohesionless
     plane_failure/fig_2_8 plane_failure/groundwater_by_tilting relaxation/base_friction_slope stepped_base/appendix_a
     thesis/chapter_2/groundwater_column thesis/chapter_2/plate_2_i
-    thesis/chapter_2/plate_2_i_continuity thesis/chapter_2/plate_2_i_without_cleavage thesis/chapter_2/plate_2_ii
+    thesis/chapter_2/plate_2_i_continuity thesis/chapter_2/plate_2_i_removed
+    thesis/chapter_2/plate_2_i_without_cleavage thesis/chapter_2/plate_2_ii
     thesis/chapter_2/plate_2_ii_joints_c thesis/chapter_2/plate_2_iii
     thesis/chapter_2/plate_2_iii_friction thesis/chapter_2/plate_2_iv
     thesis/chapter_2/plate_2_iv_divided thesis/chapter_2/plate_2_v thesis/chapter_2/plate_2_vi

@@ -2,6 +2,7 @@
 // observations 1 to 4 held against them.
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
+#include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
@@ -211,13 +212,23 @@ Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report)
                   "water. The shape of the thesis's column is not printed. Compared at a mean movement of 3 mm."});
     report.blocks.emplace_back(printed_table("Observations 1 to 4", result.rows));
     report.blocks.emplace_back(motion_table(motions));
-    for (const double rotation : {0.0, half, full}) {
-        const SlopeRun& run = at("cork", plain, rotation).run;
-        const std::string degree = human_number(rotation / degrees(1), 3);
+    std::vector<Figure> figures;
+    std::vector<std::string> files;
+    for (const auto& [material, friction] : {std::pair{"mixture", mixture_friction}, std::pair{"cork", plain}}) {
+        for (const double rotation : {0.0, half, full}) {
+            const SlopeRun& run = at(material, friction, rotation).run;
+            const std::string words = material + (", friction " + human_number(friction / degrees(1), 3)) +
+                                      "°, turned by " + human_number(rotation / degrees(1), 3) + "°";
+            figures.push_back(
+                moved_slope_figure(run.run, run.run.frames[run.early_frame], run.end, "Plate 2.VII: " + words));
+            files.push_back(std::string("column_") + material + "_" +
+                            std::to_string(static_cast<int>(rotation / degrees(1))));
+        }
+    }
+    set_one_scale(figures);
+    for (std::size_t index = 0; index < figures.size(); ++index) {
         report.blocks.emplace_back(
-            folder.draw(moved_slope_figure(run.run, run.run.frames[run.early_frame], run.end,
-                                           "Plate 2.VII: cork, friction 43°, turned by " + degree + "°"),
-                        "column_" + std::to_string(static_cast<int>(rotation / degrees(1))), "In motion."));
+            folder.draw(figures[index], files[index], "When half of what fails in the end has begun to."));
     }
     return result;
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace delabole {
@@ -15,12 +16,13 @@ namespace delabole {
 namespace {
 
 struct Plate {
-    std::string_view plate;  // as mechanisms.csv has it
+    std::string_view plate;  // as mechanisms.csv has it, where it has a verdict
     std::string_view file;   // of cases/chapter_2
 };
 
 constexpr std::array plates{Plate{"2.I", "plate_2_i"},
                             Plate{"2.I without cleavage", "plate_2_i_without_cleavage"},
+                            Plate{"2.I (e, f)", "plate_2_i_removed"},
                             Plate{"2.I continuity arranged", "plate_2_i_continuity"},
                             Plate{"2.II", "plate_2_ii"},
                             Plate{"2.II joints C", "plate_2_ii_joints_c"},
@@ -58,6 +60,18 @@ void add_rows(const Plate& plate, const MechanismVerdict& printed, const FieldSc
     row("profile", printed.profile, score.profile, score.profile_in_words, "post_failure.");
     row("crest cracks", printed.cracks, score.cracks, score.cracks_in_words, "early_failure.");
     row("block movements", printed.movements, score.movements, score.movements_in_words, "early_failure.");
+}
+
+// Photographs e and f of Plate 2.I, for which the thesis gives no verdict.
+void add_new_face(const Plate& plate, const PostFailureAnswer& end, Reproduction& result) {
+    const double face = end.lower_angle / degrees(1);
+    result.rows.push_back(
+        {std::string(plate.plate) + ": the slope without what failed",
+         "the triangular body at the top slides; joint C, 50 deg, is the new face",
+         human_number(face, 3) + " deg, " + human_number(end.failed_width * 1e3, 2) + " mm of the crest slide",
+         human_number(face - 50, 2) + " deg",
+         statement(std::abs(face - 50) < 2 && end.failed_width > 0.04) +
+             ": from the ground that the model without cleavage leaves"});
 }
 
 Json json_of(const SlopeRun& run, const FieldScore& score) {
@@ -115,6 +129,8 @@ void add_figures(const Plate& plate, const SlopeRun& run, std::vector<Figure>& f
         "The blocks that failed, and the ground left.");
 }
 
+constexpr double lowest_shown = -0.25;  // m, below the ground of Plate 2.IV
+
 // Models of one plate are compared, "2.I" with "2.I without cleavage", and have one scale.
 std::string_view number_of(const Plate& plate) {
     return plate.plate.substr(0, plate.plate.find(' '));
@@ -129,6 +145,10 @@ void draw(const std::vector<SlopeRun>& runs, const ResultFolder& folder, Report&
             continue;
         }
         set_one_scale(figures);
+        for (Figure& figure : figures) {
+            // What has fallen past the toe would leave most of the figure empty.
+            figure.y.range->first = std::max(figure.y.range->first, lowest_shown);
+        }
         for (std::size_t figure = 0; figure < figures.size(); ++figure) {
             report.blocks.emplace_back(folder.draw(figures[figure], drawn[figure].first, drawn[figure].second));
         }
@@ -147,6 +167,10 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
     Reproduction result;
     for (std::size_t index = 0; index < plates.size(); ++index) {
         const auto printed = std::ranges::find(verdicts, plates[index].plate, &MechanismVerdict::plate);
+        if (printed == verdicts.end()) {
+            add_new_face(plates[index], runs[index].end.answer, result);
+            continue;
+        }
         const FieldScore score = score_of(runs[index]);
         add_rows(plates[index], *printed, score, result);
         result.json[printed->plate] = json_of(runs[index], score);
@@ -156,12 +180,6 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
             result.rows.push_back({"2.III: a block of the crest turns into the slope by the end, at most",
                                    "tilts in the opposite direction (2.2.3.4)", human_number(turned, 2) + " deg", "",
                                    statement(turned > seen)});
-        }
-        if (printed->plate == "2.I") {
-            // Photographs e and f, where what had failed was taken away.
-            const double face = runs[index].early.answer.lower_angle / degrees(1);
-            result.rows.push_back({"2.I: the slope without what failed (e, f)", "joint C, 50 deg, is the new face",
-                                   human_number(face, 3) + " deg", human_number(face - 50, 2) + " deg", ""});
         }
     }
     report.blocks.emplace_back(Heading{"Plates 2.I to 2.VI as runs (2.3.3.2)"});

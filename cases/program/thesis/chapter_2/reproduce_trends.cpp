@@ -247,11 +247,12 @@ void add_widths(const Variation& constant, const Variation& growing, Reproductio
                                "else was varied is not printed"});
 }
 
-Figure figure_of(const Variation& series) {
+// `top`: of the axis, the same in all figures.
+Figure figure_of(const Variation& series, double top) {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     Figure figure{.title = series.figure + ": " + series.name,
                   .x = {.title = series.name, .unit = series.unit},
-                  .y = {.title = "failed columns of joint A"}};
+                  .y = {.title = "failed columns of joint A", .range = std::pair(-0.05 * top, top)}};
     Line means{.legend = "mean, and standard deviation between slopes"};
     Line bars{.width = 1.5};
     Points singles{.legend = "slopes whose joints run elsewhere", .colour = Colour::vermilion, .size = 0.8};
@@ -308,9 +309,6 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
                  {"failed_columns_deviation", spread_of(responses, &Response::failed_columns).deviation},
                  {"surface_angle_deg", spread_of(responses, &Response::surface_angle).mean / degrees(1)}});
         }
-        report.blocks.emplace_back(
-            folder.draw(figure_of(one), "trend_" + std::to_string(index + 1),
-                        "Failed columns at the ground of " + std::to_string(members) + " slopes at each value."));
         for (const PrintedTrend& printed : printed_trends()) {
             if (printed.parameter == one.parameter) {
                 add_trend(printed, one, result);
@@ -329,6 +327,15 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
         std::to_string(stopped) + " of " + std::to_string(made.size()) + "."});
     report.blocks.emplace_back(printed_table("Conclusions (i) to (iv)", result.rows));
     report.blocks.emplace_back(table);
+    double top = 0;
+    for (const std::optional<Response>& response : made) {
+        top = std::max(top, response ? 1.1 * response->failed_columns : 0);
+    }
+    for (std::size_t index = 0; index < series.size(); ++index) {
+        report.blocks.emplace_back(
+            folder.draw(figure_of(series[index], top), "trend_" + std::to_string(index + 1),
+                        "Failed columns at the ground of " + std::to_string(members) + " slopes at each value."));
+    }
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include "cases/program/thesis/chapter_3/chapter_3.hpp"
 #include "cases/program/thesis/chapter_3/tilting_runs.hpp"
 #include "cases/program/thesis/chapter_4/chapter_4.hpp"
+#include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
 #include "cases/program/thesis/physical_models.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/extent.hpp"
@@ -16,7 +17,6 @@
 #include <limits>
 #include <mutex>
 #include <numeric>
-#include <tuple>
 
 namespace delabole {
 
@@ -392,18 +392,19 @@ void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& 
     result.rows.push_back({"nine columns: tilt at which all go", "32 deg, sliding on their edges",
                            angle_in_words(end.tilt), angle_in_words(end.tilt - degrees(32)),
                            movements_in_words(end, columns)});
-    for (const auto& [tilt, file, what] :
-         {std::tuple{failure->crack_tilt / degrees(1) + 0.5, "plate_3_xiv_crack", " (b)"},
-          {32.0, "plate_3_xiv_end", " (d)"}}) {
+    std::vector<Figure> figures;
+    for (const auto& [tilt, what] : {std::pair{failure->crack_tilt / degrees(1) + 0.5, " (b)"}, {32.0, " (d)"}}) {
         const MotionFrame& frame = frame_at(made, degrees(tilt));
         const std::string number = human_number(frame.tilt / degrees(1), 3);
-        Figure figure =
-            frame_figure(made, frame, "Plate 3.XIV" + std::string(what) + ": nine columns at " + number + " deg");
+        figures.push_back(
+            frame_figure(made, frame, "Plate 3.XIV" + std::string(what) + ": nine columns at " + number + " deg"));
         if (tilt < 20 && failure->crack_after > 0) {
-            point_at_crack(made, frame, failure->crack_after, figure);
+            point_at_crack(made, frame, failure->crack_after, figures.back());
         }
-        report.blocks.emplace_back(folder.draw(figure, file, "Gravity downwards; F: the base."));
     }
+    set_one_scale(figures);
+    report.blocks.emplace_back(folder.draw(figures[0], "plate_3_xiv_crack", "Gravity downwards; F: the base."));
+    report.blocks.emplace_back(folder.draw(figures[1], "plate_3_xiv_end", "Gravity downwards; F: the base."));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace delabole {
 
 namespace {
 
-constexpr double plaster_density = 1400;  // kg/m3; matters to nothing
+constexpr double column_density = 1400;  // kg/m3; matters to nothing
 constexpr double frame_limit = degrees(40);
 constexpr double faster_rate = degrees(0.5);  // per s: the frame turns by 0.1 deg while a column begins to fall
 constexpr double height_deviation = 0.005;
@@ -38,7 +38,7 @@ RelaxationRow row_of(const FrameRow& row) {
     RelaxationRow made{};
     // A column topples at atan(b / a) at the earliest, slides later.
     made.tilt = 0.85 * std::atan(1 / *std::ranges::max_element(row.heights));
-    made.density = plaster_density;
+    made.density = column_density;
     made.interface = plaster(row.friction.interface);
     made.base = plaster(row.friction.base);
     if (row.friction.deviation > 0) {
@@ -53,7 +53,7 @@ RelaxationRow row_of(const FrameRow& row) {
 // Anticlockwise, without its corners.
 RelaxationPolygon worn_block(double left, double bottom, double height, double wear) {
     RelaxationPolygon block{};
-    block.density = plaster_density;
+    block.density = column_density;
     const double right = left + 1;
     const double top = bottom + height;
     const auto add = [&](double x, double y) { block.vertex.push_back({x * inch, y * inch, {}}); };
@@ -99,7 +99,7 @@ std::optional<double> critical_tilt(const WornColumn& column) {
         left += column.offset * (2 * counted_uniform(column.seed, 1, piece) - 1);
     }
     RelaxationPolygon base{};
-    base.density = plaster_density;
+    base.density = column_density;
     base.hold = BlockHold::fixed;
     for (const auto& [x, y] : {std::pair{-4.0, -1.0}, {5.0, -1.0}, {5.0, 0.0}, {-4.0, 0.0}}) {
         base.vertex.push_back({x * inch, y * inch, {}});
