@@ -309,11 +309,11 @@ std::vector<Setting> cut_as(const BaseFrictionState& state) {
 
 constexpr std::array models_run{"15(L)", "14(L)", "11(R)", "3(L)"};
 
-Figure crack_figure(const BaseFrictionState& state, const RelaxationRun& made, const PathOfColumns& path) {
+Figure crack_figure(const BaseFrictionState& state, double printed, const RelaxationRun& made,
+                    const PathOfColumns& path) {
     Figure figure = mechanism_figure(made, "Table 3.2, " + state.test + ": the run and the printed crack path");
     std::erase_if(figure.series, [](const Series& series) { return std::holds_alternative<Arrows>(series); });
     const double rise = state.slope_height() / 2;
-    const double printed = *state.crack_angle_from;
     figure.series.emplace_back(Line{.points = {Point(0, 0), Point(rise / std::tan(printed), rise)},
                                     .legend = "printed, " + number_in_words(printed / degrees(1)) + "° from the toe",
                                     .colour = Colour::blue,
@@ -368,7 +368,7 @@ Reproduction reproduce_base_friction_run(const ResultFolder& folder, Report& rep
         std::string file = "table_3_2_" + one.test;
         std::erase(file, ')');
         std::ranges::replace(file, '(', '_');
-        report.blocks.emplace_back(folder.draw(crack_figure(one, made[index], path), file,
+        report.blocks.emplace_back(folder.draw(crack_figure(one, printed, made[index], path), file,
                                                "Broken rock of the run, its path and the printed one."));
     }
     // The other models with a face of 80 deg, which have joints of 80 deg, too.
