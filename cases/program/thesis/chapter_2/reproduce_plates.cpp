@@ -129,8 +129,6 @@ void add_figures(const Plate& plate, const SlopeRun& run, std::vector<Figure>& f
         "The blocks that failed, and the ground left.");
 }
 
-constexpr double lowest_shown = -0.25;  // m, below the ground of Plate 2.IV
-
 // Models of one plate are compared, "2.I" with "2.I without cleavage", and have one scale.
 std::string_view number_of(const Plate& plate) {
     return plate.plate.substr(0, plate.plate.find(' '));
@@ -139,21 +137,26 @@ std::string_view number_of(const Plate& plate) {
 void draw(const std::vector<SlopeRun>& runs, const ResultFolder& folder, Report& report) {
     std::vector<Figure> figures;
     std::vector<std::pair<std::string, std::string>> drawn;
+    double lowest = 0;
     for (std::size_t index = 0; index < plates.size(); ++index) {
         add_figures(plates[index], runs[index], figures, drawn);
+        lowest = std::min(lowest, figures.back().y.range->first);
         if (index + 1 < plates.size() && number_of(plates[index + 1]) == number_of(plates[index])) {
             continue;
         }
         set_one_scale(figures);
         for (Figure& figure : figures) {
-            // What has fallen past the toe would leave most of the figure empty.
-            figure.y.range->first = std::max(figure.y.range->first, lowest_shown);
+            // What has fallen below the ground left standing would leave most of the figure empty.
+            auto& [bottom, top] = *figure.y.range;
+            figure.height = static_cast<int>(figure.height * (top - lowest) / (top - bottom));
+            bottom = lowest;
         }
         for (std::size_t figure = 0; figure < figures.size(); ++figure) {
             report.blocks.emplace_back(folder.draw(figures[figure], drawn[figure].first, drawn[figure].second));
         }
         figures.clear();
         drawn.clear();
+        lowest = 0;
     }
 }
 
