@@ -1,5 +1,6 @@
 #include "jointed_slope/jointed_section.hpp"
 
+#include "tests/lib/jointed_slope/section_checks.hpp"
 #include "tests/support/jointed_slopes.hpp"
 
 #include <gtest/gtest.h>
@@ -13,70 +14,18 @@
 namespace delabole {
 namespace {
 
+using testing::area_of;
 using testing::benched_slope;
 using testing::cut;
 using testing::cut_in_one_rock;
+using testing::expect_exact_contact;
+using testing::expect_fills;
 using testing::joint_set;
 using testing::line;
 using testing::section;
+using testing::sorted_vertices;
 using testing::square;
 using testing::three_sets;
-
-double area_of(const JointedSection& made, MeshIndex rock = no_index) {
-    double sum = 0;
-    for (const SlopeBlock& block : made.block) {
-        sum += rock == no_index || block.rock == rock ? area_properties(outline_of(made, block)).area : 0;
-    }
-    return sum;
-}
-
-double area_of(const std::vector<SectionPoint>& points) {
-    Polygon<> outline;
-    for (const SectionPoint& point : points) {
-        outline.emplace_back(point.x, point.y);
-    }
-    return std::abs(area_properties(outline).area);
-}
-
-// Convex blocks that meet edge on edge, with the same joint from both sides.
-void expect_exact_contact(const JointedSection& made) {
-    std::map<std::pair<MeshIndex, MeshIndex>, MeshIndex> joint_of_edge;
-    for (const SlopeBlock& block : made.block) {
-        const std::size_t count = block.vertex.size();
-        ASSERT_GE(count, 3U);
-        ASSERT_EQ(block.joint.size(), count);
-        for (std::size_t edge = 0; edge < count; ++edge) {
-            const MeshIndex a = block.vertex[edge];
-            const MeshIndex b = block.vertex[(edge + 1) % count];
-            const MeshIndex c = block.vertex[(edge + 2) % count];
-            EXPECT_TRUE(joint_of_edge.try_emplace({a, b}, block.joint[edge]).second) << "two blocks on one side";
-            // What the engine still takes for straight.
-            EXPECT_GT(sine_of_turn(made.vertex[a], made.vertex[b], made.vertex[c]), -1e-9);
-            EXPECT_GE((made.vertex[b] - made.vertex[a]).norm(), 0.99 * made.snap_distance);
-        }
-        EXPECT_GT(area_properties(outline_of(made, block)).area, 0);
-    }
-    for (const auto& [ends, joint] : joint_of_edge) {
-        const auto other = joint_of_edge.find({ends.second, ends.first});
-        EXPECT_EQ(other == joint_of_edge.end(), joint == free_surface);
-        EXPECT_TRUE(other == joint_of_edge.end() || other->second == joint);
-    }
-}
-
-void expect_fills(const JointedSection& made, const std::vector<SectionPoint>& outline) {
-    ASSERT_EQ(made.check, SlopeCheck::valid) << word_of(made.check);
-    expect_exact_contact(made);
-    EXPECT_NEAR((area_of(made) + made.crushed_area) / area_of(outline), 1, 1e-12);
-}
-
-std::vector<std::pair<double, double>> sorted_vertices(const JointedSection& made, double sign = 1) {
-    std::vector<std::pair<double, double>> points;
-    for (const PlanePoint<>& point : made.vertex) {
-        points.emplace_back(sign * point.x(), point.y());
-    }
-    std::sort(points.begin(), points.end());
-    return points;
-}
 
 TEST(JointedSection, BlocksFillTheOutline) {
     expect_fills(cut_in_one_rock(section(benched_slope(), three_sets())), benched_slope());
@@ -145,70 +94,6 @@ TEST(JointedSection, OrderOfCuttingMatters) {
     EXPECT_EQ(after.block.size(), 5U * 11 + 6);
     EXPECT_EQ(before.block.size(), 11U);
     EXPECT_EQ(before.cut[0].dropped, 10U);
-}
-
-// Areas of the blocks, smallest first.
-std::vector<double> areas_of(const JointedSection& made) {
-    std::vector<double> areas;
-    for (const SlopeBlock& block : made.block) {
-        areas.push_back(area_properties(outline_of(made, block)).area);
-    }
-    std::sort(areas.begin(), areas.end());
-    return areas;
-}
-
-TEST(JointedSection, LinesThatMeetInsideABlockCutABlockOut) {
-    // A plane from the left side and a crack from the top part a corner of 36 m2 from the square, whose rest is not
-    // convex.
-    const auto cut_by = [](std::vector<std::vector<SectionPoint>> lines) {
-        std::vector<SlopeCut> cuts;
-        for (std::vector<SectionPoint>& points : lines) {
-            cuts.push_back(cut("line" + std::to_string(cuts.size()), line(std::move(points))));
-        }
-        return cut_in_one_rock(section(square(10), cuts));
-    };
-    const SectionPoint side{-1, 4. / 3};
-    const SectionPoint past_side{9, 8};  // 3 m beyond the foot of the crack at (6, 6)
-    for (const JointedSection& made :
-         {cut_by({{side, {6, 6}}, {{6, 6}, {6, 11}}}), cut_by({{{6, 6}, {6, 11}}, {side, {6, 6}}}),
-          cut_by({{{6, 6}, side}, {{6, 11}, {6, 6}}}), cut_by({{side, past_side}, {{6, 6}, {6, 11}}}),
-          cut_by({{side, {6, 6}}, {{6, 5.5}, {6, 11}}}), cut_by({{side, past_side}, {{6, 5.5}, {6, 11}}}),
-          cut_by({{{6, 3}, {6, 11}}, {side, past_side}}), cut_by({{side, {6, 6}, {6, 11}}})}) {
-        expect_fills(made, square(10));
-        const std::vector<double> areas = areas_of(made);
-        ASSERT_EQ(areas.size(), 3U);
-        EXPECT_NEAR(areas[1], 36, 1e-9);  // the rest is divided at the foot of the crack, since blocks are convex
-        EXPECT_EQ(made.intact_edges, 1U);
-    }
-    // One joint in two parts, end to end or one past the other.
-    for (const double end : {4.0, 4.5}) {
-        const JointedSection made = cut_by({{{-1, 5}, {end, 5}}, {{4, 5}, {11, 5}}});
-        expect_fills(made, square(10));
-        EXPECT_EQ(areas_of(made), (std::vector<double>{50, 50}));
-    }
-}
-
-TEST(JointedSection, LineEndsOnAJointThatIsCutLater) {
-    const SlopeCut plane = cut("plane", line({{-1, 4. / 3}, {6, 6}}));
-    const SlopeCut crack = cut("crack", line({{6, -1}, {6, 11}}));
-    const SlopeCut set = cut("set", joint_set(degrees(90), 6));
-    for (const SlopeCut& later : {crack, set}) {
-        const JointedSection made = cut_in_one_rock(section(square(10), {plane, later}));
-        const JointedSection other = cut_in_one_rock(section(square(10), {later, plane}));
-        expect_fills(made, square(10));
-        EXPECT_EQ(made.block.size(), 3U);
-        EXPECT_EQ(sorted_vertices(made), sorted_vertices(other));
-        EXPECT_EQ(made.cut[0].dropped, 0U);
-    }
-}
-
-TEST(JointedSection, LinesThatMissEachOtherOrEndInRockCutNothing) {
-    // 5 cm apart, with a snap distance of 1 mm.
-    const JointedSection made = cut_in_one_rock(section(
-        square(10), {cut("plane", line({{-1, 4. / 3}, {6, 6}})), cut("crack", line({{6.05, 6.1}, {6.05, 11}}))}));
-    EXPECT_EQ(made.block.size(), 1U);
-    EXPECT_EQ(made.cut[0].dropped, 1U);
-    EXPECT_EQ(made.cut[1].dropped, 1U);
 }
 
 TEST(JointedSection, PersistenceIsTheShareOfBlocksCut) {

@@ -1,0 +1,88 @@
+#include "tests/lib/jointed_slope/section_checks.hpp"
+#include "tests/support/jointed_slopes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+namespace {
+
+using testing::cut;
+using testing::cut_in_one_rock;
+using testing::expect_fills;
+using testing::joint_set;
+using testing::line;
+using testing::section;
+using testing::sorted_vertices;
+using testing::square;
+
+// Areas of the blocks, smallest first.
+std::vector<double> areas_of(const JointedSection& made) {
+    std::vector<double> areas;
+    for (const SlopeBlock& block : made.block) {
+        areas.push_back(area_properties(outline_of(made, block)).area);
+    }
+    std::sort(areas.begin(), areas.end());
+    return areas;
+}
+
+TEST(LineCutting, LinesThatMeetInsideABlockCutABlockOut) {
+    // A plane from the left side and a crack from the top part a corner of 36 m2 from the square, whose rest is not
+    // convex.
+    const auto cut_by = [](std::vector<std::vector<SectionPoint>> lines) {
+        std::vector<SlopeCut> cuts;
+        for (std::vector<SectionPoint>& points : lines) {
+            cuts.push_back(cut("line" + std::to_string(cuts.size()), line(std::move(points))));
+        }
+        return cut_in_one_rock(section(square(10), cuts));
+    };
+    const SectionPoint side{-1, 4. / 3};
+    const SectionPoint past_side{9, 8};  // 3 m beyond the foot of the crack at (6, 6)
+    for (const JointedSection& made :
+         {cut_by({{side, {6, 6}}, {{6, 6}, {6, 11}}}), cut_by({{{6, 6}, {6, 11}}, {side, {6, 6}}}),
+          cut_by({{{6, 6}, side}, {{6, 11}, {6, 6}}}), cut_by({{side, past_side}, {{6, 6}, {6, 11}}}),
+          cut_by({{side, {6, 6}}, {{6, 5.5}, {6, 11}}}), cut_by({{side, past_side}, {{6, 5.5}, {6, 11}}}),
+          cut_by({{{6, 3}, {6, 11}}, {side, past_side}}), cut_by({{side, {6, 6}, {6, 11}}})}) {
+        expect_fills(made, square(10));
+        const std::vector<double> areas = areas_of(made);
+        ASSERT_EQ(areas.size(), 3U);
+        EXPECT_NEAR(areas[1], 36, 1e-9);  // the rest is divided at the foot of the crack, since blocks are convex
+        EXPECT_EQ(made.intact_edges, 1U);
+    }
+    // One joint in two parts, end to end or one past the other.
+    for (const double end : {4.0, 4.5}) {
+        const JointedSection made = cut_by({{{-1, 5}, {end, 5}}, {{4, 5}, {11, 5}}});
+        expect_fills(made, square(10));
+        EXPECT_EQ(areas_of(made), (std::vector<double>{50, 50}));
+    }
+}
+
+TEST(LineCutting, LineEndsOnAJointThatIsCutLater) {
+    const SlopeCut plane = cut("plane", line({{-1, 4. / 3}, {6, 6}}));
+    const SlopeCut crack = cut("crack", line({{6, -1}, {6, 11}}));
+    const SlopeCut set = cut("set", joint_set(degrees(90), 6));
+    for (const SlopeCut& later : {crack, set}) {
+        const JointedSection made = cut_in_one_rock(section(square(10), {plane, later}));
+        const JointedSection other = cut_in_one_rock(section(square(10), {later, plane}));
+        expect_fills(made, square(10));
+        EXPECT_EQ(made.block.size(), 3U);
+        EXPECT_EQ(sorted_vertices(made), sorted_vertices(other));
+        EXPECT_EQ(made.cut[0].dropped, 0U);
+    }
+}
+
+TEST(LineCutting, LinesThatMissEachOtherOrEndInRockCutNothing) {
+    // 5 cm apart, with a snap distance of 1 mm.
+    const JointedSection made = cut_in_one_rock(section(
+        square(10), {cut("plane", line({{-1, 4. / 3}, {6, 6}})), cut("crack", line({{6.05, 6.1}, {6.05, 11}}))}));
+    EXPECT_EQ(made.block.size(), 1U);
+    EXPECT_EQ(made.cut[0].dropped, 1U);
+    EXPECT_EQ(made.cut[1].dropped, 1U);
+}
+
+}  // namespace
+}  // namespace delabole
