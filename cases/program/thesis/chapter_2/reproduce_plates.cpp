@@ -47,11 +47,20 @@ std::string reasons(std::string_view file, std::string_view outputs) {
     return text;
 }
 
-void add_rows(const Plate& plate, const MechanismVerdict& printed, const FieldScore& score, Reproduction& result) {
+// A run whose energy or overlaps are wrong shows nothing, even if its picture is the one printed.
+bool is_believed(RelaxationOutcome outcome) {
+    return outcome != RelaxationOutcome::energy_not_balanced && outcome != RelaxationOutcome::overlap_too_large &&
+           outcome != RelaxationOutcome::motion_not_finite;
+}
+
+void add_rows(const Plate& plate, const MechanismVerdict& printed, const FieldScore& score, RelaxationOutcome outcome,
+              Reproduction& result) {
     const auto row = [&](const std::string& criterion, FieldVerdict said, FieldVerdict found, const std::string& words,
                          std::string_view outputs) {
         Remark remark = stated(said, found);
-        if (remark.verdict == RowVerdict::not_met) {
+        if (remark.verdict != RowVerdict::none && !is_believed(outcome)) {
+            remark = statement(false) + ": the run shows nothing, " + human_name(word_of(outcome));
+        } else if (remark.verdict == RowVerdict::not_met) {
             remark += reasons(plate.file, outputs);
         }
         result.rows.push_back({printed.plate + ": " + criterion, human_name(word_of(said)),
@@ -175,7 +184,7 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
             continue;
         }
         const FieldScore score = score_of(runs[index]);
-        add_rows(plates[index], *printed, score, result);
+        add_rows(plates[index], *printed, score, runs[index].run.result.outcome, result);
         result.json[printed->plate] = json_of(runs[index], score);
         if (printed->plate == "2.III") {
             constexpr double seen = 1;  // deg; less does not show on a photograph
