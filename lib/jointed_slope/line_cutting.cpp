@@ -177,12 +177,12 @@ std::optional<PlanePoint<>> meeting_point(const MeshSegment& one, const MeshSegm
             }
         }
     }
-    const PlanePoint<> normal = left_of(other.second - other.first);
-    const double from_first = normal.dot(one.first - other.first);
-    const double from_second = normal.dot(one.second - other.first);
-    const PlanePoint<> own_normal = left_of(one.second - one.first);
+    const StraightLine along_one = line_through(one.first, one.second);
+    const StraightLine along_other = line_through(other.first, other.second);
+    const double from_first = along_other.distance(one.first);
+    const double from_second = along_other.distance(one.second);
     const bool cross = (from_first > 0) != (from_second > 0) &&
-                       (own_normal.dot(other.first - one.first) > 0) != (own_normal.dot(other.second - one.first) > 0);
+                       (along_one.distance(other.first) > 0) != (along_one.distance(other.second) > 0);
     return cross ? std::optional(point_between(one, std::abs(from_first), std::abs(from_second))) : std::nullopt;
 }
 

@@ -53,6 +53,18 @@ TEST(LineCutting, LinesThatMeetInsideABlockCutABlockOut) {
         EXPECT_NEAR(areas[1], 36, 1e-9);  // the rest is divided at the foot of the crack, since blocks are convex
         EXPECT_EQ(made.intact_edges, 1U);
     }
+    // Mirrored, the same to the last bit.
+    const auto mirrored = [](std::vector<SectionPoint> points) {
+        for (SectionPoint& point : points) {
+            point.x = -point.x;
+        }
+        return points;
+    };
+    const JointedSection one = cut_by({{side, past_side}, {{6, 5.5}, {6, 11}}});
+    const JointedSection other =
+        cut_in_one_rock(section(mirrored(square(10)), {cut("plane", line(mirrored({side, past_side}))),
+                                                       cut("crack", line(mirrored({{6, 5.5}, {6, 11}})))}));
+    EXPECT_EQ(sorted_vertices(one), sorted_vertices(other, -1));
     // One joint in two parts, end to end or one past the other.
     for (const double end : {4.0, 4.5}) {
         const JointedSection made = cut_by({{{-1, 5}, {end, 5}}, {{4, 5}, {11, 5}}});
