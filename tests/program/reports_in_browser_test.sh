@@ -26,7 +26,7 @@ title "run, with a critical search"
 delabole run good.toml --out run
 expect_status 0
 in_browser run
-expect_order run/report.html '<section class="head' '<p>FS 1.25: stands.' '<nav class="contents"' '<figure>' '<svg' \
+expect_order run/report.html '<section class="head' '<p>FS 1.12: stands.' '<nav class="contents"' '<figure>' '<svg' \
     'The slope and what slides.' '>Results</h2>' '>Inputs</h2>'
 
 title "blocks in motion"

@@ -37,7 +37,7 @@ def test_a_run_answers_what_the_program_answers(cases, program, tmp_path, patter
 
 def test_answers_are_printed_in_the_words_of_a_report(cases):
     design = delabole.read(cases / "plane_failure/bolted_road_cut.toml").run()
-    assert str(design).startswith(f"FS {design.factor_of_safety:.3g}") and "without these bolts" in str(design)
+    assert str(design).startswith(f"With these bolts FS {design.factor_of_safety:.3g}") and "without these bolts" in str(design)
     fit = delabole.read(cases / "starting/fit.toml").fit()
     assert str(fit).endswith(fit.mechanisms[0].verdict)
     study = delabole.read(cases / "delabole_1967/sensitivity_critical_sliding.toml").sensitivity()

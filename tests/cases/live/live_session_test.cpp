@@ -298,7 +298,8 @@ TEST(LiveSession, SupportIsDesignedAsARunDesignsIt) {
         ASSERT_TRUE(designed);
         HeadCard head = head_card(file.model, analyse_case(file.model));
         add_to_head(*designed, head);
-        std::vector<std::string> said{answer["verdict"], design["sentence"]};
+        // On the live page the pattern stands beside the verdict.
+        std::vector<std::string> said{"With these bolts " + answer["verdict"].get<std::string>(), design["sentence"]};
         for (const Json& sentence : answer["sentences"]) {
             said.push_back(sentence);
         }

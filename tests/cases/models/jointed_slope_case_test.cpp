@@ -1,6 +1,7 @@
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/reader/outline_file.hpp"
 #include "cases/program/results/analysis.hpp"
+#include "cases/program/results/model_reports.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include "tests/cases/example_case.hpp"
@@ -85,6 +86,18 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 
 std::string complaint_about(std::string_view from, std::string_view to) {
     return complaint(replaced(std::string(slope_text), from, to));
+}
+
+TEST(JointedSlopeCase, AnUndecidedSearchSaysWhatToRaiseAndItsBracket) {
+    RelaxationStudyAnswer answer;  // made up: no cheap search ends between two verdicts
+    answer.plan = CriticalPlan{CriticalParameter::strength_reduction, 0.5, 2, 0.01, {LoadingPath::consolidated}, {}};
+    CriticalAnswer& search = answer.critical.emplace();
+    search.status = CriticalStatus::undecided;
+    search.stands = 0.6;
+    search.fails = 0.7;
+    EXPECT_TRUE(head_card({}, answer).sentences.front().ends_with("raise it. They stand at 0.6 and fail at 0.7."));
+    search.fails = 2;  // the bound, at which there was no run
+    EXPECT_TRUE(head_card({}, answer).sentences.front().ends_with("within settings.duration: raise it."));
 }
 
 TEST(JointedSlopeCase, ReadsAndWritesTheSameScene) {

@@ -223,7 +223,7 @@ TEST(RelaxationCase, NamesWhatMakesASceneImpossible) {
               "no_free_block: every block is fixed: nothing can move");
 }
 
-TEST(RelaxationCase, AnswersWithOutcomeBooksAndBlocks) {
+TEST(RelaxationCase, AnswersWithOutcomeEnergyAndBlocks) {
     const Analysis standing = analysis_of(row_text);
     EXPECT_EQ(word(standing, "outcome"), "equilibrium");
     EXPECT_EQ(word(standing, "block[1].movement"), "stays");
@@ -266,16 +266,6 @@ TEST(RelaxationCase, ASearchThatFindsNothingSaysWhichBoundToMove) {
                                       "[critical]\nparameter = \"friction\"\nlower = \"1 deg\"\nupper = \"5 deg\"\n");
     EXPECT_EQ(word(high, "limiting_friction_angle"), "fails_everywhere");
     EXPECT_EQ(high.unfinished, "the blocks fail even at 5 deg: raise critical.upper");
-}
-
-TEST(RelaxationCase, AnUndecidedSearchSaysWhatToRaiseAndItsBracket) {
-    RelaxationStudyAnswer answer;  // made up: no cheap search ends between two verdicts
-    answer.plan = CriticalPlan{CriticalParameter::strength_reduction, 0.5, 2, 0.01, {LoadingPath::consolidated}, {}};
-    answer.critical =
-        CriticalAnswer{{{.status = CriticalStatus::undecided, .stands = 0.6, .fails = 0.7, .last = 0.65}}};
-    EXPECT_TRUE(head_card({}, answer).sentences.front().ends_with("raise it. They stand at 0.6 and fail at 0.7."));
-    answer.critical->fails = 2;  // the bound, at which there was no run
-    EXPECT_TRUE(head_card({}, answer).sentences.front().ends_with("within settings.duration: raise it."));
 }
 
 TEST(RelaxationCase, ASearchShowsItsBracketBesideItsAnswer) {

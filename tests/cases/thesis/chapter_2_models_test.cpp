@@ -51,7 +51,7 @@ TEST(Chapter2Models, AreCasesInOrder) {
         EXPECT_EQ(slope_scene(slope_of(study)).check, SlopeCheck::valid) << name;
         EXPECT_EQ(check(study).check, SceneCheck::valid) << name;
     }
-    EXPECT_EQ(count, 12U);
+    EXPECT_EQ(count, 13U);
     EXPECT_THROW(slope_model("plate_9"), std::logic_error);
 }
 
