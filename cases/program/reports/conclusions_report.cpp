@@ -68,7 +68,7 @@ std::string asked_in_words(const ConclusionTest& test) {
                             : "probability of " + list_in_words(std::get<ClaimOfMechanisms>(test.of).mechanisms);
 }
 
-// What would decide a test that is not decided.
+// Names what would decide a test that is undecided or was not made.
 std::string decision_of(const ConclusionTest& test, const TestFinding& finding) {
     const auto* claim = std::get_if<ClaimOfQuantity>(&test.of);
     const std::vector<std::string> asked =
@@ -87,7 +87,7 @@ std::string decision_of(const ConclusionTest& test, const TestFinding& finding) 
            shown(finding.decider->where_it_holds) + ", not at about " + shown(finding.decider->where_it_fails);
 }
 
-// The same for a conclusion: of each of its tests, once; empty if it is decided.
+// Names what would decide the tests of a conclusion, each once; empty if the conclusion is decided.
 std::string decision_of(const Conclusion& conclusion, const ConclusionFinding& finding) {
     if (finding.verdict != ConclusionVerdict::undecided && finding.verdict != ConclusionVerdict::not_tested) {
         return {};

@@ -66,7 +66,7 @@ std::string without_support_in_words(CaseModel model) {
     return value != nullptr ? ", instead of FS " + number_in_words(*value) + " without these bolts" : "";
 }
 
-// What to try where no pattern suffices: the strongest one tells which of the given ranges was too narrow.
+// Says what to try where no pattern suffices: the ranges at whose ends the strongest pattern lies were too narrow.
 std::string remedy_for(const SupportDesign& design, const TriedSupport& strongest) {
     std::vector<std::string> at_end;
     for (std::size_t index = 0; index < design.choices.size(); ++index) {

@@ -41,7 +41,7 @@ inline void expect_exact_contact(const JointedSection& made) {
             const MeshIndex b = block.vertex[(edge + 1) % count];
             const MeshIndex c = block.vertex[(edge + 2) % count];
             EXPECT_TRUE(joint_of_edge.try_emplace({a, b}, block.joint[edge]).second) << "two blocks on one side";
-            // What the engine still takes for straight.
+            // Dynamic relaxation takes a corner for straight down to this sine.
             EXPECT_GT(sine_of_turn(made.vertex[a], made.vertex[b], made.vertex[c]), -1e-9);
             EXPECT_GE((made.vertex[b] - made.vertex[a]).norm(), 0.99 * made.snap_distance);
         }

@@ -155,7 +155,7 @@ void draw(const std::vector<SlopeRun>& runs, const ResultFolder& folder, Report&
         }
         set_one_scale(figures);
         for (Figure& figure : figures) {
-            // What has fallen below the ground left standing would leave most of the figure empty.
+            // Figures end below the ground left standing: those that reach down to fallen blocks are mostly empty.
             auto& [bottom, top] = *figure.y.range;
             figure.height = static_cast<int>(figure.height * (top - lowest) / (top - bottom));
             bottom = lowest;

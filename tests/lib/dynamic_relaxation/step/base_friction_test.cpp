@@ -213,7 +213,7 @@ TEST(BaseFriction, GivesVelocitiesWhereGravityGivesAccelerations) {
         }
         return -simulation.state().motion[0].vx;
     };
-    // In the energy balance of the contacts their small dashpots take a thousandth.
+    // The dashpots of the contacts are small: they take a thousandth of the energy.
     EXPECT_NEAR(velocity_at(false, 0, 0.02), gravity * share * 0.02, 2e-3 * gravity * share * 0.02);
     EXPECT_NEAR(velocity_at(false, 0, 0.04), gravity * share * 0.04, 2e-3 * gravity * share * 0.04);
     // The same after any time, in proportion to the belt: inertia has no say.
