@@ -44,9 +44,8 @@ struct CuttingWork {
     std::vector<MeshIndex> gouge = {};  // rocks that may be thin
 };
 
-// Twice the largest number that has been run. Cutting and checking this many blocks takes some seconds; ten times as
-// many took minutes.
-inline constexpr std::size_t most_slope_blocks = 200'000;
+// A fifth more than the largest number that has been run. A check of this many blocks takes a second or two.
+inline constexpr std::size_t most_slope_blocks = 120'000;
 
 PlanePoint<> centroid_of(const SectionMesh& mesh, MeshIndex face);
 

@@ -28,7 +28,7 @@ enum class SlopeCheck {
     outline_too_short,           // fewer than three corners
     outline_crosses_itself,      // or touches itself
     snap_distance_out_of_range,  // less than 4e-6 of the section's size, or more than a quarter of a spacing
-    too_many_blocks,             // more than 200 000, counted before each set is cut, or 60 000 joints of a set
+    too_many_blocks,             // more than 120 000, counted before each set is cut, or 60 000 joints of a set
     line_too_short,              // fewer than two points apart
     line_folds_back,             // turns by more than about 150 deg
     region_too_short,
