@@ -5,7 +5,9 @@
 #include "jointed_slope/face_cutting.hpp"
 #include "jointed_slope/jointed_section.hpp"
 
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,7 +54,8 @@ PlanePoint<> centroid_of(const SectionMesh& mesh, MeshIndex face);
 // The outline's corners from the first one on, anticlockwise, without repetitions; faults and counts are stored in
 // `section`.
 Polygon<> prepared_outline(const SlopeGeometry& geometry, JointedSection& section);
-bool crosses_itself(const Polygon<>& outline, double snap);
+// The first edge that crosses or touches another one, or is shorter than `snap`; nothing if none does.
+std::optional<std::size_t> crossing_edge(const Polygon<>& outline, double snap);
 
 // Divides faces that are not convex.
 void divide_into_convex(SectionMesh& mesh, double snap);

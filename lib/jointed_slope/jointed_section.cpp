@@ -51,7 +51,7 @@ SlopeCheck choose_snap(const SlopeGeometry& geometry, double size, JointedSectio
     const double least = least_snap * size;
     const double greatest = greatest_snap_of_spacing * std::min(finest ? finest->spacing : size, size);
     if (!(least <= greatest)) {
-        section.cut_at_fault = finest ? finest->cut : 0;
+        section.index_at_fault = finest ? finest->cut : 0;
         return finest ? SlopeCheck::too_many_blocks : SlopeCheck::outline_too_short;
     }
     const double standard = finest ? snap_of_spacing * std::min(finest->spacing, size) : snap_of_section * size;
@@ -140,7 +140,7 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
     const auto refuse = [&](SlopeCheck check, std::size_t cut = 0) {
         JointedSection refused;
         refused.check = check;
-        refused.cut_at_fault = cut;
+        refused.index_at_fault = cut;
         return refused;
     };
     if (!in_range(geometry)) {
@@ -153,16 +153,20 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
     if (outline.size() < 3) {
         return refuse(SlopeCheck::outline_too_short);
     }
+    const Polygon<> drawn = outline;
     const PlanePoint<> origin = outline.front();
     for (PlanePoint<>& corner : outline) {
         corner -= origin;
     }
     const SlopeCheck snap = choose_snap(geometry, size_of(outline), section);
     if (snap != SlopeCheck::valid) {
-        return refuse(snap, section.cut_at_fault);
+        return refuse(snap, section.index_at_fault);
     }
-    if (crosses_itself(outline, section.snap_distance)) {
-        return refuse(SlopeCheck::outline_crosses_itself);
+    if (const auto edge = crossing_edge(outline, section.snap_distance)) {
+        const auto corner = std::ranges::find_if(geometry.outline, [&](const SectionPoint& point) {
+            return PlanePoint<>(point.x, point.y) == drawn[*edge];
+        });
+        return refuse(SlopeCheck::outline_crosses_itself, static_cast<std::size_t>(corner - geometry.outline.begin()));
     }
     CuttingWork work{SectionMesh(outline, 0), origin, section.snap_distance};
     divide_into_convex(work.mesh, work.snap);

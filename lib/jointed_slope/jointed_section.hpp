@@ -64,7 +64,7 @@ struct CutCount {
 
 struct JointedSection {
     SlopeCheck check = SlopeCheck::valid;
-    std::size_t cut_at_fault = 0;  // set if the check concerns a cut
+    std::size_t index_at_fault = 0;  // of the cut that the check concerns, or of the corner of the outline
     std::vector<PlanePoint<>> vertex = {};
     std::vector<SlopeBlock> block = {};
     std::vector<CutCount> cut = {};

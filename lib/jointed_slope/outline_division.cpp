@@ -133,26 +133,26 @@ Polygon<> prepared_outline(const SlopeGeometry& geometry, JointedSection& sectio
     return outline;
 }
 
-bool crosses_itself(const Polygon<>& outline, double snap) {
+std::optional<std::size_t> crossing_edge(const Polygon<>& outline, double snap) {
     const std::size_t count = outline.size();
     for (std::size_t one = 0; one < count; ++one) {
         const PlanePoint<>& a = outline[one];
         const PlanePoint<>& b = outline[(one + 1) % count];
         if ((b - a).norm() < snap) {
-            return true;
+            return one;
         }
         // The next edge may only continue, not fold back on this one.
         const PlanePoint<>& next = outline[(one + 2) % count];
         if (distance_to_segment(next, a, b) < snap || distance_to_segment(a, b, next) < snap) {
-            return true;
+            return one;
         }
         for (std::size_t other = one + 2; other < count; ++other) {
             if ((other + 1) % count != one && come_near(a, b, outline[other], outline[(other + 1) % count], snap)) {
-                return true;
+                return one;
             }
         }
     }
-    return false;
+    return std::nullopt;
 }
 
 void divide_into_convex(SectionMesh& mesh, double snap) {

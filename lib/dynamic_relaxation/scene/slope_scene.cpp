@@ -94,7 +94,7 @@ class SlopeSceneMaker {
     SlopeScene make() {
         scene_.section = section_of(slope_.geometry, rocks_, joints_);
         if (section().check != SlopeCheck::valid) {
-            return refused(section().check, section().cut_at_fault);
+            return refused(section().check, section().index_at_fault);
         }
         const SlopeCheck check = check_rest();
         if (check != SlopeCheck::valid) {

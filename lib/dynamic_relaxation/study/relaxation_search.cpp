@@ -143,15 +143,26 @@ class PathSearch {
         return scene;
     }
 
-    // Returns nothing, and sets the status, if the blocks come to rest neither in the case as given nor at the bound at
-    // which they should stand.
-    std::optional<CriticalProbe> consolidate(PathValue& value) {
-        std::vector<double> candidates{plan_.should_stand()};
-        if (plan_.is_ratio() && plan_.upper >= own_ratio) {
-            candidates =
-                plan_.lower < own_ratio ? std::vector<double>{own_ratio, plan_.lower} : std::vector<double>{own_ratio};
+    // Where the blocks may come to rest before strength is reduced or weight increased, in the order tried. One that
+    // stands as given fails at some multiple of that; one that does not is treated alike: it rests at the greatest of
+    // 1/2, 1/4, ... at which it does, so that its answer hangs on the lower bound of the search as little as possible.
+    std::vector<double> consolidation_ratios() const {
+        if (!plan_.is_ratio() || plan_.upper < own_ratio) {
+            return {plan_.should_stand()};
         }
-        for (const double at : candidates) {
+        std::vector<double> ratios{own_ratio};
+        for (double half = own_ratio / 2; half > plan_.lower; half /= 2) {
+            ratios.push_back(half);
+        }
+        if (plan_.lower < own_ratio) {
+            ratios.push_back(plan_.lower);
+        }
+        return ratios;
+    }
+
+    // Returns nothing, and sets the status, if the blocks come to rest at none of these.
+    std::optional<CriticalProbe> consolidate(PathValue& value) {
+        for (const double at : consolidation_ratios()) {
             const CriticalProbe probe = probe_at(at, Begin::at_start);
             if (probe.outcome == RelaxationOutcome::equilibrium) {
                 value.consolidated_at = at;

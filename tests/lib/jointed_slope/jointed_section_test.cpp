@@ -369,6 +369,10 @@ TEST(JointedSection, BadGeometryIsNamed) {
     // A corner on another edge.
     EXPECT_EQ(check({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}), SlopeCheck::outline_crosses_itself);
     EXPECT_EQ(check({{0, 0}, {4, 0}, {8, 0}}), SlopeCheck::outline_crosses_itself);
+    // The case's own corner is named, whether or not it repeats some: the top is crossed by the notch below it.
+    const SlopeGeometry notched = section({{0, 0}, {0, 0}, {10, 0}, {10, 10}, {4, 10}, {6, 6}, {6, 12}, {0, 10}}, {});
+    EXPECT_EQ(cut_in_one_rock(notched).check, SlopeCheck::outline_crosses_itself);
+    EXPECT_EQ(cut_in_one_rock(notched).index_at_fault, 3U);
     EXPECT_EQ(check({{0, 0}, {std::nan(""), 0}, {8, 8}}), SlopeCheck::number_out_of_range);
     EXPECT_EQ(with_set([](JointSetCut& set) { set.spacing = 0; }), SlopeCheck::number_out_of_range);
     EXPECT_EQ(with_set([](JointSetCut& set) { set.spacing = -1; }), SlopeCheck::number_out_of_range);
@@ -399,7 +403,7 @@ TEST(JointedSection, BadGeometryIsNamed) {
     SlopeCut unknown = cut("a", joint_set(0, 1));
     unknown.joint = "tight";
     EXPECT_EQ(check(square(10), {cut("b", joint_set(1, 1)), unknown}), SlopeCheck::unknown_joint);
-    EXPECT_EQ(cut_in_one_rock(section(square(10), {cut("b", joint_set(1, 1)), unknown})).cut_at_fault, 1U);
+    EXPECT_EQ(cut_in_one_rock(section(square(10), {cut("b", joint_set(1, 1)), unknown})).index_at_fault, 1U);
 }
 
 TEST(JointedSection, HundredThousandBlocks) {
@@ -432,7 +436,7 @@ TEST(JointedSection, TooManyBlocksAreRefusedBeforeTheyAreCut) {
         const JointedSection made = cut_in_one_rock(section(square(1), std::move(cuts)));
         EXPECT_EQ(made.check, SlopeCheck::too_many_blocks) << word_of(made.check);
         EXPECT_TRUE(made.block.empty());
-        return made.cut_at_fault;
+        return made.index_at_fault;
     };
     EXPECT_EQ(refused({cut("a", joint_set(degrees(90), 2e-5)), cut("b", joint_set(0, 2e-5))}), 1U);
     EXPECT_EQ(refused({cut("a", joint_set(degrees(90), 7e-4)), cut("b", joint_set(0, 7e-4))}), 1U);

@@ -77,9 +77,10 @@ std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
     case SlopeCheck::outline_too_short:
         return SlopeComplaint{"scene.outline", "needs at least three corners apart from each other"};
     case SlopeCheck::outline_crosses_itself:
-        return SlopeComplaint{"scene.outline",
-                              "crosses or touches itself, or has corners closer together than snap_distance: list its "
-                              "corners in their order, without those that it does not need"};
+        return SlopeComplaint{
+            indexed("scene.outline", made.index_at_fault),
+            "is the end of an edge that crosses or touches another one, or is shorter than snap_distance: "
+            "list the outline's corners in their order, without those that it does not need"};
     case SlopeCheck::snap_distance_out_of_range:
         return SlopeComplaint{"scene.snap_distance",
                               "must be at least 4e-6 of the section's size and at most a quarter of the least spacing"};
