@@ -4,7 +4,8 @@ set(thesis_tables "")
 foreach(table
     thesis/chapter_2/groundwater_tests thesis/chapter_2/mechanisms thesis/chapter_2/trends
     thesis/chapter_3/plates thesis/chapter_3/table_3_2 thesis/chapter_3/table_3_3 thesis/chapter_3/tilting_frame
-    thesis/chapter_5/histories thesis/chapter_5/runs published/published_factors)
+    thesis/chapter_5/histories thesis/chapter_5/report thesis/chapter_5/runs
+    published/published_factors)
     set(file ${PROJECT_SOURCE_DIR}/cases/${table}.csv)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} text)

@@ -16,6 +16,7 @@ extern const std::string_view thesis_plates;
 extern const std::string_view thesis_table_3_2;
 extern const std::string_view thesis_table_3_3;
 extern const std::string_view thesis_tilting_frame;
+extern const std::string_view thesis_report;
 extern const std::string_view thesis_runs;
 extern const std::string_view thesis_histories;
 extern const std::string_view thesis_published_factors;

@@ -1,41 +1,29 @@
-// The items of the thesis's chapter 5, dynamic relaxation, and what they share.
+// The items of the thesis's chapter 5, dynamic relaxation. What their reports say, in which order, is data:
+// cases/thesis/chapter_5/report.csv. What is computed for single items is declared at the end.
 #pragma once
 
 #include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
 #include "cases/program/thesis/reproduction.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace delabole {
 
-using WordsOfRun = std::function<std::string(const Chapter5Run&)>;
-using WordsOfResult = std::function<std::string(const Chapter5Run&, const HockingResult&)>;
-
-// A row for each run: what is printed of it, and what each engine says to it. `heading` is that of the runs' names.
-Table table_of(const std::string& caption, const std::string& heading, const std::vector<Chapter5Run>& runs,
-               const WordsOfRun& printed, const WordsOfResult& computed);
-
-// "blows out".
-std::string in_words(HockingOutcome outcome);
-std::string printed_outcome(const Chapter5Run& run);
 // "stands", "blows out at cycle 680".
 std::string outcome_in_words(const HockingResult& result);
-// Adds the cycle at which the first block has turned by a degree.
-std::string outcome_with_rotation(const Chapter5Run& run, const HockingResult& result);
 // "of 20: 3 stand and 17 fail".
 std::string in_words(const std::vector<HockingResult>& results);
-
-// "800 / 900".
-std::string in_words(const SettledCycles& settled);
-// Cycles after which the first block rests, or how the run ends otherwise.
+// The cycle or "never".
+std::string in_words(const std::optional<int>& cycle);
+// Cycles after which the first block rests, "800 / 900", or how the run ends otherwise.
 std::string settled_in_words(const HockingResult& result);
 
 // Degrees.
 double rotation_at_end(const HockingResult& result, std::size_t column);
-
-std::string in_words(TiltedPart part);  // "base turned"
 
 // Least and greatest number over many starts.
 struct CountRange {
@@ -48,32 +36,52 @@ struct CountRange {
     std::string words(const std::string& to) const;  // "3 to 8"
 };
 
-// Every run's outcome beside the printed one, also for result.json; where they differ, of shifted starts too, and the
-// reason, if one is known.
-void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result,
-                  const WordsOfRun& reason = {});
+// Narrows the bracket of a value below which something holds and above which it does not, to an accuracy.
+std::pair<double, double> bisect(double low, double high, double accuracy, const std::function<bool(double)>& holds);
 
-// How many outcomes are as printed where gravity turned instead of the base: no statement of the thesis's.
-void add_other_part(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result);
+// CX over the cycles, by the clean engine too where the block does not fail there, with the printed cycles until rest.
+Figure swings_figure(const std::string& title, const std::vector<Chapter5Run>& runs, int cycles);
 
-Reproduction reproduce_fig_5_4(const ResultFolder& folder, Report& report);
-Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report);
-Reproduction reproduce_single_blocks(const ResultFolder& folder, Report& report);
+// What columns do at the end: "1 slides, 2-5 topple and 6-8 stay", and whether that is printed.
+std::string behaviour_in_words(const Chapter5Run& run, const HockingResult& result);
+bool behaves_as_printed(const Chapter5Run& run, const HockingResult& result);
 
-Reproduction reproduce_double_blocks(const ResultFolder& folder, Report& report);
-Reproduction reproduce_tilted_blocks(const ResultFolder& folder, Report& report);
-Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report);
-Reproduction reproduce_observations(const ResultFolder& folder, Report& report);
+// An item under way. A computation finds its runs here, puts rows into the table, whose caption and columns are those
+// of report.csv, and draws what comes below it.
+struct Chapter5Item {
+    const ResultFolder& folder;
+    Reproduction result = {};
+    std::vector<Chapter5Run> runs = {};
+    int starts = 0;  // of each run, shifted at random
+    Table table = {};
+    Report below = {};
 
-Reproduction reproduce_thresholds(const ResultFolder& folder, Report& report);
+    void draw(const Figure& figure, const std::string& name, const std::string& caption);
+};
 
-Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report);
+using Computation = void(Chapter5Item& item);
 
-Reproduction reproduce_triple_blocks(const ResultFolder& folder, Report& report);
-Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& report);
-
-Reproduction reproduce_fig_5_16(const ResultFolder& folder, Report& report);
-Reproduction reproduce_fig_5_17(const ResultFolder& folder, Report& report);
-Reproduction reproduce_onset(const ResultFolder& folder, Report& report);
+Computation laws_of_contact;
+Computation tilting_from_the_horizontal;
+Computation first_swings;
+Computation last_digits;
+Computation starts_of_two_blocks;
+Computation closed_gap;
+Computation one_input_changed;
+Computation backward_sliding;
+Computation blow_out;
+Computation blow_outs_of_shifted_starts;
+Computation blow_outs_over_inclinations;
+Computation blow_outs_of_random_starts;
+Computation same_displacement;
+Computation observations;
+Computation observations_by_friction;
+Computation thresholds_by_stiffness;
+Computation thresholds_by_step_and_damping;
+Computation senses_of_three_blocks;
+Computation histories_of_four_blocks;
+Computation crack_of_the_tilting_frame;
+Computation tension_cracks;
+Computation onset_of_the_stepped_base;
 
 }  // namespace delabole

@@ -37,8 +37,6 @@ Chapter5Run varied(Chapter5Run run, const Variant& variant) {
     return run;
 }
 
-constexpr int starts = 50;
-
 // Cycles of the blow-outs of some runs.
 CountRange blow_outs(const std::vector<HockingResult>& results) {
     CountRange found;
@@ -74,8 +72,9 @@ int over_inclinations(const Chapter5Run& run, double slenderness, double coordin
     return blow_outs(results).count;
 }
 
-// `before`: the cycle before.
-Table mechanism(const Chapter5Run& run, const HockingFaceChange& change, const HockingPrint& before) {
+// Of the slot of block 1's uphill foot against block 2; `before` is the cycle before.
+std::vector<std::vector<std::string>> mechanism(const Chapter5Run& run, const HockingFaceChange& change,
+                                                const HockingPrint& before) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     const Point& centroid = before.blocks[1].centroid;
     const Point foot = corners_of(blocks[0], before.blocks[0])[2];
@@ -85,35 +84,93 @@ Table mechanism(const Chapter5Run& run, const HockingFaceChange& change, const H
     const double weight = 2 * run.columns.width * run.columns.heights[0] * run.settings.density * run.settings.gravity;
     const auto small = [](double metres) { return human_number(metres * 1e6, 3) + " µm"; };
     const auto force = [](double value) { return human_number(value / 1000, 4) + " kN/m"; };
-    return {"The slot of block 1's uphill foot against block 2 at cycle " + std::to_string(change.cycle),
-            {"quantity", "value"_number},
-            {
-                {"inclination of block 2's base, deg",
-                 human_number((run.columns.dip + before.blocks[1].angle) / degrees(1), 6)},
-                {"atan(1/7), deg", human_number(std::atan(1.0 / 7) / degrees(1), 6)},
-                {"foot from the vertical below block 2's centroid", small(foot.x() - centroid.x())},
-                {"toe of block 2 from that vertical", small(toe.x() - centroid.x())},
-                {"overlap of the foot with block 2's side", small(half_width - change.stored_position)},
-                {"height of the foot above block 2's base", small(half_height - change.new_position)},
-                {"stored distance, from the axis along the side", in_inches(change.stored_position, 6)},
-                {"new distance, from the axis along the base", in_inches(change.new_position, 6)},
-                {"difference taken for the movement of one cycle",
-                 in_inches(change.stored_position - change.new_position, 5)},
-                {"spring force", force(change.spring_force)},
-                {"dashpot force", force(change.dashpot_force)},
-                {"weight of both blocks", force(weight)},
-            }};
+    return {
+        {"cycle", std::to_string(change.cycle)},
+        {"face found before, and now", human_name(word_of(change.from)) + ", " + human_name(word_of(change.to))},
+        {"inclination of block 2's base, deg",
+         human_number((run.columns.dip + before.blocks[1].angle) / degrees(1), 6)},
+        {"atan(1/7), deg", human_number(std::atan(1.0 / 7) / degrees(1), 6)},
+        {"foot from the vertical below block 2's centroid", small(foot.x() - centroid.x())},
+        {"toe of block 2 from that vertical", small(toe.x() - centroid.x())},
+        {"overlap of the foot with block 2's side", small(half_width - change.stored_position)},
+        {"height of the foot above block 2's base", small(half_height - change.new_position)},
+        {"stored distance, from the axis along the side", in_inches(change.stored_position, 6)},
+        {"new distance, from the axis along the base", in_inches(change.new_position, 6)},
+        {"difference taken for the movement of one cycle", in_inches(change.stored_position - change.new_position, 5)},
+        {"spring force", force(change.spring_force)},
+        {"dashpot force", force(change.dashpot_force)},
+        {"weight of both blocks", force(weight)},
+    };
+}
+
+}  // namespace
+
+void blow_out(Chapter5Item& item) {
+    const Chapter5Run& run = item.runs.front();
+    Reproduction& result = item.result;
+    const HockingResult computed = compute(run, Engine::recreated);
+    const int printed = run.printed_cycle.value_or(0);
+    const int cycle = computed.blow_out_cycle.value_or(0);
+    result.rows.push_back({"a/b = 7: cycle at which the blocks blow out", std::to_string(printed),
+                           in_words(computed.blow_out_cycle), cycle > 0 ? std::to_string(cycle - printed) : "",
+                           "at 8 deg; the inclination is not printed"});
+    result.json["cycle"] = cycle;
+    if (computed.blow_out) {
+        const HockingFaceChange& change = *computed.blow_out;
+        Chapter5Run fine = run;
+        fine.settings.print_interval = 1;
+        fine.settings.cycles = cycle + run.settings.cycles_after_blow_out;
+        fine.settings.stop_rotation = std::numeric_limits<double>::infinity();
+        const HockingResult every_cycle = compute(fine, Engine::recreated);
+        item.table.rows = mechanism(fine, change, print_at(every_cycle, cycle - 1));
+        result.json["jump_in"] = (change.stored_position - change.new_position) / inch;
+        item.draw(frames_figure("Fig 5.13: blow-out of the 7 inch blocks", fine, every_cycle,
+                                {cycle - 1, cycle + 3, cycle + 6}),
+                  "fig_5_13", "Just before, and three and six cycles after.");
+    }
+    for (const Variant& variant : variants()) {
+        const HockingResult other = compute(varied(run, variant), Engine::recreated);
+        result.json["blows_out"][variant.name] = other.blow_out_cycle.has_value();
+        result.rows.push_back({"the same, " + variant.name, "",
+                               other.blow_out_cycle ? outcome_in_words(other) : "no blow-out", "",
+                               std::to_string(other.face_change_count) + " changes of face"});
+    }
+}
+
+void blow_outs_of_shifted_starts(Chapter5Item& item) {
+    const Chapter5Run& run = item.runs.front();
+    for (const double unit : {1e-12, 1e-9, 1e-8, 1e-7, 1e-6}) {
+        std::vector<std::string>& row = item.table.rows.emplace_back(std::vector{human_number(unit, 2) + " m"});
+        CountRange listed;
+        for (const Variant& variant : variants()) {
+            const CountRange found =
+                blow_outs(compute_shifted(varied(run, variant), Engine::recreated, unit, item.starts));
+            listed = row.size() == 1 ? found : listed;  // the first variant
+            row.push_back(std::to_string(found.count));
+            item.result.json["shifted_starts"][row.front()][variant.name] = found.count;
+        }
+        row.insert(row.end(), {std::to_string(listed.least), std::to_string(listed.greatest)});
+    }
+}
+
+void blow_outs_over_inclinations(Chapter5Item& item) {
+    for (const double slenderness : {3.0, 5.0, 7.0, 10.0}) {
+        for (const double unit : {typed_digit / 10, 0.0}) {
+            std::vector<std::string>& row = item.table.rows.emplace_back(
+                std::vector<std::string>{human_number(slenderness, 2), unit > 0 ? "typed to 1e-7 m" : "exact"});
+            for (const Variant& variant : variants()) {
+                const int count = over_inclinations(varied(item.runs.front(), variant), slenderness, unit);
+                row.push_back(std::to_string(count));
+                item.result.json["over_inclinations"][variant.name].push_back(count);
+            }
+        }
+    }
 }
 
 // The same random starts for both programs: free blocks shifted by a typed digit, inclinations from half a degree below
 // atan(b/a) to half a degree above.
-constexpr unsigned random_starts = 400;
-
-Table clean_table(const Chapter5Run& run, Reproduction& result) {
-    Table table{"Two blocks, " + std::to_string(random_starts) + " random starts for each a/b",
-                {"a/b"_number, "blow-outs, re-created program"_number, "blow-outs, clean engine"_number,
-                 "greatest energy error, %"_number, "largest speed, m/s"_number,
-                 "speed of free fall from that height, m/s"_number}};
+void blow_outs_of_random_starts(Chapter5Item& item) {
+    const Chapter5Run& run = item.runs.front();
     int listed_blow_outs = 0;
     int clean_blow_outs = 0;
     double worst_error = 0;
@@ -125,12 +182,13 @@ Table clean_table(const Chapter5Run& run, Reproduction& result) {
         std::vector<HockingResult> clean;
         double error = 0;
         double speed = 0;
-        for (unsigned seed = 1; seed <= random_starts; ++seed) {
+        for (int seed = 1; seed <= item.starts; ++seed) {
             stop_if_interrupted();
             Chapter5Run start = sized;
             start.columns.coordinate_unit = 0;
             start.columns.dip = std::atan(1 / slenderness) + degrees(any(random));
-            const std::vector<HockingBlock> blocks = perturbed(make_blocks(start.columns), typed_digit, seed);
+            const std::vector<HockingBlock> blocks =
+                perturbed(make_blocks(start.columns), typed_digit, static_cast<unsigned>(seed));
             listed.push_back(compute(start, Engine::recreated, blocks));
             const CleanRun other = run_clean(start, blocks, RelaxationStart::dropped);
             clean.push_back(other.history);
@@ -140,115 +198,23 @@ Table clean_table(const Chapter5Run& run, Reproduction& result) {
         const int listed_count = blow_outs(listed).count;
         const int clean_count = blow_outs(clean).count;
         const double fall = std::sqrt(2 * run.settings.gravity * slenderness * inch);
-        table.rows.push_back({human_number(slenderness, 2), std::to_string(listed_count), std::to_string(clean_count),
-                              human_number(100 * error, 2), human_number(speed, 3), human_number(fall, 3)});
+        item.table.rows.push_back({human_number(slenderness, 2), std::to_string(listed_count),
+                                   std::to_string(clean_count), human_number(100 * error, 2), human_number(speed, 3),
+                                   human_number(fall, 3)});
         listed_blow_outs += listed_count;
         clean_blow_outs += clean_count;
         worst_error = std::max(worst_error, error);
-        result.json["random_starts"].push_back({{"slenderness", slenderness},
-                                                {"re-created", listed_count},
-                                                {"clean", clean_count},
-                                                {"energy_error", error},
-                                                {"largest_speed_m_per_s", speed},
-                                                {"speed_of_fall_m_per_s", fall}});
+        item.result.json["random_starts"].push_back({{"slenderness", slenderness},
+                                                     {"re-created", listed_count},
+                                                     {"clean", clean_count},
+                                                     {"energy_error", error},
+                                                     {"largest_speed_m_per_s", speed},
+                                                     {"speed_of_fall_m_per_s", fall}});
     }
-    result.rows.push_back({std::to_string(4 * random_starts) + " random starts", "",
-                           std::to_string(listed_blow_outs) + " blow-outs", "",
-                           "energy error at most " + human_number(100 * worst_error, 2) + " %",
-                           std::to_string(clean_blow_outs) + " blow-outs"});
-    return table;
-}
-
-}  // namespace
-
-Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report) {
-    Reproduction result;
-    const Chapter5Run run = chapter_5_runs("blow_out").front();
-    const HockingResult computed = compute(run, Engine::recreated);
-    const int cycle = computed.blow_out_cycle.value_or(0);
-    report.blocks.emplace_back(Heading{"Fig 5.13: two blocks of a/b = 7 blow out"});
-    result.rows.push_back({"a/b = 7: cycle at which the blocks blow out", std::to_string(run.printed_cycle.value_or(0)),
-                           cycle > 0 ? std::to_string(cycle) : "never",
-                           cycle > 0 ? std::to_string(cycle - run.printed_cycle.value_or(0)) : "",
-                           "at 8 deg; the inclination is not printed"});
-    result.json["cycle"] = cycle;
-    if (computed.blow_out) {
-        const HockingFaceChange& change = *computed.blow_out;
-        Chapter5Run fine = run;
-        fine.settings.print_interval = 1;
-        fine.settings.cycles = cycle + run.settings.cycles_after_blow_out;
-        fine.settings.stop_rotation = std::numeric_limits<double>::infinity();
-        const HockingResult every_cycle = compute(fine, Engine::recreated);
-        report.blocks.emplace_back(Paragraph{
-            "The thesis wonders \"whether a particular statement in the program triggers off such a violent response "
-            "when very specific conditions are met\". There is one. The blocks, dropped on their springs, rock forward "
-            "together, and the raised uphill foot of block 1 rests against the side of block 2 close to its toe. When "
-            "they pass 8.13 deg, the inclination at which a block of a/b = 7 is on the point of toppling, that place "
-            "passes below the centroid of block 2. The program looks for the face that the foot has entered by the "
-            "bearing of a crossing point from that centroid, and IF(GM.LE.1E-5) XF=1.E-5 moves a crossing point less "
-            "than 1e-5 m left of the vertical to 1e-5 m right of it: past the toe. So the side is not found, and the "
-            "base is (" +
-            human_name(word_of(change.from)) + " before, " + human_name(word_of(change.to)) + " now)."});
-        report.blocks.emplace_back(
-            Paragraph{"What follows is the fault of the contact's memory. One slot serves this corner and this "
-                      "neighbour. The distance from one axis, stored for the side, less the distance from the other "
-                      "axis, now that of the base, goes to the dashpot as the movement of one cycle."});
-        report.blocks.emplace_back(mechanism(fine, change, print_at(every_cycle, cycle - 1)));
-        result.json["jump_in"] = (change.stored_position - change.new_position) / inch;
-        report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.13: blow-out of the 7 inch blocks", fine,
-                                                             every_cycle, {cycle - 1, cycle + 2, cycle + 6}),
-                                               "fig_5_13", "Just before, and two and six cycles after."));
-    }
-    for (const Variant& variant : variants()) {
-        const HockingResult other = compute(varied(run, variant), Engine::recreated);
-        result.json["blows_out"][variant.name] = other.blow_out_cycle.has_value();
-        result.rows.push_back({"the same, " + variant.name, "",
-                               other.blow_out_cycle ? outcome_in_words(other) : "no blow-out", "",
-                               std::to_string(other.face_change_count) + " changes of face"});
-    }
-    Table shifted{"Blow-outs of " + std::to_string(starts) + " starts, coordinates shifted at random",
-                  {"shift", "as listed"_number, "without the guard"_number, "slots per face"_number,
-                   "first cycle, as listed"_number, "last"_number}};
-    for (const double unit : {1e-12, 1e-9, 1e-8, 1e-7, 1e-6}) {
-        std::vector<std::string> row = {human_number(unit, 2) + " m"};
-        CountRange listed;
-        for (const Variant& variant : variants()) {
-            const CountRange found = blow_outs(compute_shifted(varied(run, variant), Engine::recreated, unit, starts));
-            listed = row.size() == 1 ? found : listed;  // the first variant
-            row.push_back(std::to_string(found.count));
-            result.json["shifted_starts"][row.front()][variant.name] = found.count;
-        }
-        row.push_back(std::to_string(listed.least));
-        row.push_back(std::to_string(listed.greatest));
-        shifted.rows.push_back(row);
-    }
-    report.blocks.emplace_back(shifted);
-    Table others{
-        "Blow-outs of " + std::to_string(inclinations) +
-            " inclinations, from half a degree below atan(b/a) to half a degree above",
-        {"a/b"_number, "coordinates", "as listed"_number, "without the guard"_number, "slots per face"_number}};
-    for (const double slenderness : {3.0, 5.0, 7.0, 10.0}) {
-        for (const double unit : {typed_digit / 10, 0.0}) {
-            std::vector<std::string> row = {human_number(slenderness, 2), unit > 0 ? "typed to 1e-7 m" : "exact"};
-            for (const Variant& variant : variants()) {
-                const int count = over_inclinations(varied(run, variant), slenderness, unit);
-                row.push_back(std::to_string(count));
-                result.json["over_inclinations"][variant.name].push_back(count);
-            }
-            others.rows.push_back(row);
-        }
-    }
-    report.blocks.emplace_back(Paragraph{
-        "Blow-outs are no freak of a/b = 7: rows of every slenderness do it where rocking takes them past their "
-        "critical inclination. Without the guard only blocks whose corners meet exactly are left to blow out, for want "
-        "of a face that is right. With a memory for each face none do."});
-    report.blocks.emplace_back(others);
-    report.blocks.emplace_back(Paragraph{
-        "The clean engine keeps a memory for each corner and edge, hands it over where a corner passes the end "
-        "of an edge, and takes the dashpot's speed from the blocks' velocities, never from stored positions."});
-    report.blocks.emplace_back(clean_table(run, result));
-    report.blocks.emplace_back(printed_table("Blow-out", result.rows));
-    return result;
+    item.result.rows.push_back({std::to_string(4 * item.starts) + " random starts", "",
+                                std::to_string(listed_blow_outs) + " blow-outs", "",
+                                "energy error at most " + human_number(100 * worst_error, 2) + " %",
+                                std::to_string(clean_blow_outs) + " blow-outs"});
 }
 
 }  // namespace delabole

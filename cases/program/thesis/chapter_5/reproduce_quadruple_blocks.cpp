@@ -1,10 +1,10 @@
 // 5.3.3.2 of the thesis: four blocks, Tables 5.1 to 5.5.
-#include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
 #include "cases/program/thesis/chapter_5/sliding.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <string>
+#include <vector>
 
 namespace delabole {
 
@@ -90,7 +90,7 @@ Figure history_lanes(const Chapter5Run& run, const SlidingHistory& printed, cons
 
 // Adds the printed rows beside those of many starts, and where the listing's words part from `reference`.
 void add_history(const Chapter5Run& run, const HockingResult& reference, const std::vector<HockingResult>& results,
-                 const ResultFolder& folder, Report& report, Reproduction& result) {
+                 Chapter5Item& item) {
     const SlidingHistory printed = printed_history(run);
     std::vector<SlidingHistory> starts;
     for (const HockingResult& one : results) {
@@ -100,6 +100,7 @@ void add_history(const Chapter5Run& run, const HockingResult& reference, const s
     }
     const HistoryAgreement agrees = agreement_of(printed, starts);
     const bool one_of_them = agrees.mean >= agrees.least;
+    Reproduction& result = item.result;
     result.rows.push_back(
         {run.name + ": rows as those of " + std::to_string(starts.size()) + " starts, on average",
          "as starts among themselves: " + share_in_words(agrees.least) + " to " + share_in_words(agrees.greatest),
@@ -132,67 +133,61 @@ void add_history(const Chapter5Run& run, const HockingResult& reference, const s
     }
     result.rows.push_back(
         {run.name + ": first row that shorter words change, and rows as printed", "", parted, "", ""});
-    report.blocks.emplace_back(history_table(run, printed, starts));
-    report.blocks.emplace_back(folder.draw(
+    item.below.blocks.emplace_back(history_table(run, printed, starts));
+    item.draw(
         history_lanes(run, printed, starts), "table_" + run.name.substr(6, 1) + "_" + run.name.substr(8),
-        "Forward above a block's line, backward below it: printed, and by the re-created program from many starts."));
+        "Forward above a block's line, backward below it: printed, and by the re-created program from many starts.");
 }
 
 }  // namespace
 
-Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& report) {
-    Reproduction result;
-    report.blocks.emplace_back(Heading{"Four blocks, Tables 5.1 to 5.5 (5.3.3.2)"});
-    report.blocks.emplace_back(Paragraph{
-        "Totals of the print edits of 100 cycles in which a block slides forward (F), backward (B) or not (-). The "
-        "histories are chaotic: a shift of the free blocks by 1e-15 m, the last bit, changes them as much as one by "
-        "the last typed digit does, and so do the words of 48 bits of the listing's machine. So no run gives the "
-        "printed rows one by one. What can be asked is whether the printed history could be one of the program's: "
-        "whether it agrees with the runs of many starts, row by row, as they agree with one another. The "
-        "clean engine's histories do not part by the last bit; its blocks slide one way each, and its ranges are "
-        "narrow, so that most printed totals, mixed as they are, lie outside."});
-    Table table{"Totals, and their range over " + std::to_string(shifted_starts) + " starts (F, B, -)",
-                {"table", "block"_number, "printed", "re-created program", "range, 1e-15 m", "range, 1e-6 m",
-                 "clean engine", "range, 1e-6 m"}};
-    Report histories;  // below the totals
-    int within = 0;
-    int count = 0;
-    int senses = 0;
-    int sensed = 0;
-    std::vector<int> senses_of_starts(shifted_starts, 0);
-    int clean_within = 0;
-    int clean_senses = 0;
-    const std::vector<Chapter5Run> runs = chapter_5_runs("quadruple");
-    for (const Chapter5Run& run : runs) {
-        const std::vector<HockingResult> starts = compute_shifted(run, Engine::recreated, typed_digit, shifted_starts);
+// How many of some numbers or senses are the printed ones.
+struct AsPrinted {
+    int totals = 0;                // printed
+    int within = 0;                // of them, within the range of the starts
+    int clean_within = 0;          // and of those of the clean engine
+    int senses = 0;                // printed
+    int computed = 0;              // of them, as computed
+    int clean = 0;                 // and by the clean engine
+    std::vector<int> starts = {};  // by each start
+};
+
+void histories_of_four_blocks(Chapter5Item& item) {
+    Reproduction& result = item.result;
+    AsPrinted count;
+    count.starts.resize(static_cast<std::size_t>(item.starts));
+    for (const Chapter5Run& run : item.runs) {
+        const std::vector<HockingResult> starts = compute_shifted(run, Engine::recreated, typed_digit, item.starts);
         const std::vector<TotalsRange> bit =
-            spread_of_totals(run, compute_shifted(run, Engine::recreated, last_bit, shifted_starts));
+            spread_of_totals(run, compute_shifted(run, Engine::recreated, last_bit, item.starts));
         const std::vector<TotalsRange> digit = spread_of_totals(run, starts);
         const std::vector<TotalsRange> of_clean =
-            spread_of_totals(run, compute_shifted(run, Engine::dropped, typed_digit, shifted_starts));
+            spread_of_totals(run, compute_shifted(run, Engine::dropped, typed_digit, item.starts));
         const HockingResult reference = compute(run, Engine::recreated);
         const HockingResult clean_reference = compute(run, Engine::dropped);
         const std::vector<SlidingTotals> computed = totals_of(run, reference);
         const std::vector<SlidingTotals> clean_totals = totals_of(run, clean_reference);
         for (std::size_t column = 0; column < computed.size(); ++column) {
             const SlidingTotals& printed = run.printed_totals[column];
-            table.rows.push_back({run.name, std::to_string(column + 1), in_words(printed), in_words(computed[column]),
-                                  in_words(bit[column]), in_words(digit[column]), in_words(clean_totals[column]),
-                                  in_words(of_clean[column])});
+            item.table.rows.push_back({run.name, std::to_string(column + 1), in_words(printed),
+                                       in_words(computed[column]), in_words(bit[column]), in_words(digit[column]),
+                                       in_words(clean_totals[column]), in_words(of_clean[column])});
             for (std::size_t kind = 0; kind < counted.size(); ++kind) {
                 const int value = printed.*counted[kind];
-                ++count;
-                within += bit[column][kind].holds(value) || digit[column][kind].holds(value) ? 1 : 0;
-                clean_within += of_clean[column][kind].holds(value) ? 1 : 0;
+                ++count.totals;
+                count.within += bit[column][kind].holds(value) || digit[column][kind].holds(value) ? 1 : 0;
+                count.clean_within += of_clean[column][kind].holds(value) ? 1 : 0;
             }
             if (printed.forward != printed.backward) {
-                ++sensed;
-                senses += forward_prevails(computed[column]) == forward_prevails(printed) ? 1 : 0;
+                const auto same_sense = [&](const SlidingTotals& totals) {
+                    return forward_prevails(totals) == forward_prevails(printed) ? 1 : 0;
+                };
+                ++count.senses;
+                count.computed += same_sense(computed[column]);
+                count.clean += same_sense(clean_totals[column]);
                 for (std::size_t start = 0; start < starts.size(); ++start) {
-                    senses_of_starts[start] +=
-                        forward_prevails(totals_of(run, starts[start])[column]) == forward_prevails(printed) ? 1 : 0;
+                    count.starts[start] += same_sense(totals_of(run, starts[start])[column]);
                 }
-                clean_senses += forward_prevails(clean_totals[column]) == forward_prevails(printed) ? 1 : 0;
             }
             const auto as_json = [](const SlidingTotals& totals) {
                 return Json{totals.forward, totals.backward, totals.none};
@@ -201,10 +196,10 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
                                              {"computed", as_json(computed[column])},
                                              {"clean", as_json(clean_totals[column])}});
         }
-        add_history(run, reference, starts, folder, histories, result);
+        add_history(run, reference, starts, item);
         const int parted = first_difference(run, Engine::recreated, make_blocks(run.columns), last_bit);
-        result.json["first_different_print"][run.name] = parted;
         const int clean_parted = first_difference(run, Engine::dropped, exact_blocks(run), last_bit);
+        result.json["first_different_print"][run.name] = parted;
         result.json["first_different_print_of_clean"][run.name] = clean_parted;
         result.rows.push_back({run.name + ": first print that a shift of 1e-15 m changes", "",
                                "cycle " + std::to_string(parted), "", "",
@@ -216,31 +211,21 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
         result.rows.push_back({run.name + ": rotation of blocks 1 / 4 at the end", "", rotations(reference), "", "",
                                rotations(clean_reference)});
     }
-    result.json["printed_totals_within_range"] = within;
-    result.json["printed_totals"] = count;
-    result.json["senses_as_printed"] = senses;
-    result.json["clean_senses_as_printed"] = clean_senses;
-    result.rows.push_back({"printed totals within the range of the starts", std::to_string(count),
-                           std::to_string(within), "", "", std::to_string(clean_within)});
-    const auto [fewest, most] = std::ranges::minmax(senses_of_starts);
-    result.json["senses_of_starts"] = senses_of_starts;
-    result.rows.push_back(
-        {"blocks whose prevailing sense is the printed one", std::to_string(sensed), std::to_string(senses), "",
-         statement(senses == sensed) + ": with the last typed digits shifted " + std::to_string(fewest) + " to " +
-             std::to_string(most) + ", all of them in " + std::to_string(std::ranges::count(senses_of_starts, sensed)) +
-             " of " + std::to_string(shifted_starts) + " starts",
-         std::to_string(clean_senses)});
-    report.blocks.emplace_back(table);
-    std::ranges::move(histories.blocks, std::back_inserter(report.blocks));
-    report.blocks.emplace_back(printed_table("How far the histories are reproducible", result.rows));
-    const std::vector<int> cycles = {1000, 2000, 3000};
-    report.blocks.emplace_back(
-        folder.draw(frames_figure("Fig 5.15: four blocks (ii)", runs[1], compute(runs[1], Engine::recreated), cycles),
-                    "fig_5_15", "Failure of four blocks, a/b = 5, 18.5 deg. Re-created program."));
-    report.blocks.emplace_back(
-        folder.draw(frames_figure("Fig 5.15, clean engine", runs[1], compute(runs[1], Engine::dropped), cycles),
-                    "fig_5_15_clean", "The same by the clean engine."));
-    return result;
+    result.json["printed_totals_within_range"] = count.within;
+    result.json["printed_totals"] = count.totals;
+    result.json["senses_as_printed"] = count.computed;
+    result.json["clean_senses_as_printed"] = count.clean;
+    result.json["senses_of_starts"] = count.starts;
+    result.rows.push_back({"printed totals within the range of the starts", std::to_string(count.totals),
+                           std::to_string(count.within), "", "", std::to_string(count.clean_within)});
+    const auto [fewest, most] = std::ranges::minmax(count.starts);
+    result.rows.push_back({"blocks whose prevailing sense is the printed one", std::to_string(count.senses),
+                           std::to_string(count.computed), "",
+                           statement(count.computed == count.senses) + ": with the last typed digits shifted " +
+                               std::to_string(fewest) + " to " + std::to_string(most) + ", all of them in " +
+                               std::to_string(std::ranges::count(count.starts, count.senses)) + " of " +
+                               std::to_string(item.starts) + " starts",
+                           std::to_string(count.clean)});
 }
 
 }  // namespace delabole

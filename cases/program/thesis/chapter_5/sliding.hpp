@@ -11,7 +11,6 @@
 
 namespace delabole {
 
-constexpr int shifted_starts = 40;
 constexpr std::array counted{&SlidingTotals::forward, &SlidingTotals::backward, &SlidingTotals::none};
 
 std::string in_words(const SlidingTotals& totals);
