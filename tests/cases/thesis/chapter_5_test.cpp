@@ -225,6 +225,7 @@ TEST_F(Chapter5, Slopes) {
         EXPECT_EQ(scale_of(figure), scale_of("fig_5_16_0")) << figure;
     }
     const Json stepped = reproduce("fig5.17").json;
+    EXPECT_EQ(scale_of("fig_5_17_clean"), scale_of("fig_5_17_0"));
     EXPECT_TRUE(all_agree(stepped["outcomes"]["stepped base, friction"]));
     EXPECT_TRUE(std::ranges::all_of(stepped["behaves_as_printed"], [](const Json& one) { return one.get<bool>(); }));
     ASSERT_EQ(stepped["crack"].size(), 5U);
