@@ -68,15 +68,14 @@ std::optional<Point> widest_place(const Polyline& outline, const Polyline& marks
         return std::nullopt;
     }
     edge.push_back(edge.front());
-    double most = 0.6;  // between half a side and half a diagonal
+    double most = 0.6;  // half a side with a margin
+    const Polyline corners{{-most, -most}, {most, -most}, {most, most}, {-most, most}};
     std::optional<Point> best;
     for (int row = 1; row < steps; ++row) {
         for (int column = 1; column < steps; ++column) {
             const Point at = frame.lowest() + frame.size().cwiseProduct(Point(column, row)) / steps;
-            if (!inside(edge, at)) {
-                continue;
-            }
-            double room = std::abs(signed_distance(edge, at));
+            const auto fits = [&](const Point& corner) { return inside(edge, at + corner); };
+            double room = std::ranges::all_of(corners, fits) ? std::abs(signed_distance(edge, at)) : 0;
             for (const Point& mark : marks) {
                 room = std::min(room, 0.7 * (mark.cwiseQuotient(text) - at).norm());
             }
