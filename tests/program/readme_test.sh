@@ -94,6 +94,43 @@ for picture in "$DELABOLE_SOURCE"/plots/pictures/*; do
     fi
 done
 
+# What is in the prose of a README with a section "Measured once" but neither there, nor in the case files beside it, nor
+# in what its commands print, where a number may have more digits.
+strange_numbers() {
+    awk 'function scan(text, list, rounded,   word, count, place, unit) {
+            gsub(/`[^`]*`/, "", text)
+            count = split(text, word, /[.]?[^A-Za-z0-9.%\/]+|[.]$/)
+            for (place = 1; place <= count; ++place) {
+                unit = word[place + 1] ~ /^(m2?|deg|%|ft|s|minutes|kPa|[kM]N\/m[23])$/ ? word[place + 1] : ""
+                if (word[place] ~ /^[0-9.]+(e[0-9]+)?$/) { list[word[place] " " unit] += rounded }
+            }
+        }
+        function found(number, unit,   one, part, digits) {
+            digits = index(number, ".") ? length(number) - index(number, ".") : 0
+            for (one in known) {
+                split(one, part, " ")
+                if ((part[1] == number || (known[one] && sprintf("%." digits "f", part[1]) == number)) &&
+                    (part[2] == unit || unit == "" || (known[one] && part[2] == ""))) { return 1 }
+            }
+        }
+        FNR == 1 { pass += FILENAME ~ /md$/; once = 0 }
+        /^```/ { block = block ? "" : substr($0, 4); next }
+        /^## / { once = /Measured once/ }
+        pass == 1 && (FILENAME ~ /toml$/ || once || block == "text") { scan($0, known, block == "text") }
+        pass == 2 && !block && !once {
+            split("", prose)
+            scan($0, prose, 0)
+            for (one in prose) { split(one, part, " "); if (!found(part[1], part[2])) { print FNR ": " one } }
+        }' "$1" "${1%/*}"/*.toml "$1"
+}
+if grep -q '^## Measured once$' "$DELABOLE_SOURCE/$readme"; then
+    strange=$(strange_numbers "$DELABOLE_SOURCE/$readme")
+    if [[ -n $strange ]]; then
+        printf '%s has these numbers in its prose (line: number), which nothing says:\n%s\n' "$readme" "$strange"
+        failed=1
+    fi
+fi
+
 while read -r link; do
     if [[ ! -e $DELABOLE_SOURCE/$(dirname "$readme")/$link ]]; then
         echo "$readme: nothing is at $link"
