@@ -39,8 +39,9 @@ double QuantityOfMechanism::at(std::span<const double> parameters) const {
 std::vector<Draw> thinned(const std::vector<Draw>& draws, std::size_t most) {
     const std::size_t step = std::max<std::size_t>((draws.size() + most - 1) / most, 1);
     std::vector<Draw> kept;
-    for (std::size_t index = step - 1; index < draws.size(); index += step) {
-        kept.push_back(draws[index]);
+    // The last draw of each stretch, also of a shorter one at the end.
+    for (std::size_t first = 0; first < draws.size(); first += step) {
+        kept.push_back(draws[std::min(first + step, draws.size()) - 1]);
     }
     return kept;
 }

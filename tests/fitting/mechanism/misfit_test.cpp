@@ -1,6 +1,7 @@
 #include "fitting/mechanism/misfit.hpp"
 
 #include "fitting/back_analysis/check_problem.hpp"
+#include "fitting/mechanism/input_binding.hpp"
 #include "tests/fitting/test_models.hpp"
 
 #include <gtest/gtest.h>
@@ -127,6 +128,22 @@ TEST(Misfit, CountsTheScatterOfAnEnsembleAsItsDensitySays) {
     EXPECT_NEAR(misfit.compare_profile(at)->pull(), 2 / std::sqrt(5), 1e-12);
     EXPECT_EQ(misfit.residuals(at).pulls.size(), misfit.data().size());
     EXPECT_EQ(misfit.data_count(), 5);
+}
+
+// Where draws cannot be divided evenly the last of them closes a shorter stretch, so that none of those asked for is
+// missing.
+TEST(Draws, AreThinnedToAsManyAsAskedFor) {
+    std::vector<Draw> draws;
+    for (int number = 0; number < 4000; ++number) {
+        draws.push_back({0, {}, static_cast<double>(number)});
+    }
+    const std::vector<Draw> kept = thinned(draws, 30);
+    ASSERT_EQ(kept.size(), 30U);
+    EXPECT_EQ(kept[0].misfit, 133);
+    EXPECT_EQ(kept[28].misfit, 29 * 134 - 1);
+    EXPECT_EQ(kept[29].misfit, 3999);
+    EXPECT_EQ(thinned(draws, 8).front().misfit, 499);
+    EXPECT_EQ(thinned(draws, 5000).size(), draws.size());
 }
 
 TEST(CheckProblem, NamesEveryFault) {
