@@ -88,7 +88,12 @@ class Target {
               return surrogate_ != nullptr ? surrogate_->value(parameters, Priors::ignored)
                                            : misfit_.value(parameters, Priors::ignored);
           }),
-          evaluator_{quantity_, progress, stop, problem.settings.threads},
+          bounded_([this](std::span<const double> parameters, double most) {
+              return misfit_.value_of_data(parameters, most);
+          }),
+          evaluator_{quantity_, progress,
+                     stop,      problem.settings.threads,
+                     nullptr,   surrogate_ == nullptr ? &bounded_ : nullptr},
           prior_(problem.mechanisms[mechanism].parameters) {}
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
@@ -102,6 +107,7 @@ class Target {
     std::unique_ptr<Surrogate> judged_anew_;  // refers to the misfit
     const Surrogate* surrogate_;
     Objective quantity_;
+    BoundedObjective bounded_;
     Evaluator evaluator_;
     PriorSpace prior_;
 };

@@ -198,12 +198,16 @@ std::string_view Misfit::visit_profile(const Prediction& prediction, const Visit
     return {};
 }
 
-template <class Visitor>
-std::string_view Misfit::visit_residuals(std::span<const double> parameters, const Visitor& visit) const {
+template <class Visitor, class Enough>
+std::string_view Misfit::visit_residuals(std::span<const double> parameters, const Visitor& visit,
+                                         const Enough& enough) const {
     for (const ConditionSet& set : sets_) {
         const bool with_profile = compares_profile_ && &set == &sets_.front();
         if (set.observations.empty() && !with_profile) {
             continue;
+        }
+        if (enough()) {
+            break;
         }
         const Prediction prediction = predict(set, parameters);
         if (!prediction.failure.empty()) {
@@ -220,15 +224,16 @@ std::string_view Misfit::visit_residuals(std::span<const double> parameters, con
     return {};
 }
 
+Evaluation Misfit::value_of_data(std::span<const double> parameters, double most) const {
+    double sum = 0;
+    const auto add = [&sum](double pull, bool idle, double) { sum += idle ? 0 : pull * pull; };
+    const std::string_view failure = visit_residuals(parameters, add, [&] { return sum > most; });
+    return {sum, failure};
+}
+
 MisfitParts Misfit::parts(std::span<const double> parameters) const {
-    MisfitParts result;
-    result.failure = visit_residuals(parameters, [&result](double pull, bool idle, double) {
-        if (!idle) {
-            result.data += pull * pull;
-        }
-    });
-    result.prior = prior(parameters);
-    return result;
+    const Evaluation data = value_of_data(parameters, std::numeric_limits<double>::infinity());
+    return {data.value, prior(parameters), data.failure};
 }
 
 double Misfit::prior(std::span<const double> parameters) const {
@@ -249,11 +254,14 @@ Evaluation Misfit::value(std::span<const double> parameters, Priors priors) cons
 
 Residuals Misfit::residuals(std::span<const double> parameters) const {
     Residuals result;
-    result.failure = visit_residuals(parameters, [&result](double pull, bool idle, double scatter) {
-        result.pulls.push_back(pull);
-        result.idle.push_back(idle);
-        result.scatter.push_back(scatter);
-    });
+    result.failure = visit_residuals(
+        parameters,
+        [&result](double pull, bool idle, double scatter) {
+            result.pulls.push_back(pull);
+            result.idle.push_back(idle);
+            result.scatter.push_back(scatter);
+        },
+        [] { return false; });
     return result;
 }
 

@@ -82,6 +82,8 @@ class Misfit {
     // The part of the priors alone; does not evaluate the model.
     double prior(std::span<const double> parameters) const;
     Evaluation value(std::span<const double> parameters, Priors priors) const;
+    // The data's part; predictions are left out once it exceeds `most`.
+    Evaluation value_of_data(std::span<const double> parameters, double most) const;
     Residuals residuals(std::span<const double> parameters) const;
     // The observation to which each residual belongs, in their order.
     std::vector<Datum> data() const;
@@ -124,8 +126,9 @@ class Misfit {
     std::size_t condition_set(const std::vector<Condition>& conditions);
     void find_out_about_profile();
     Prediction predict(const ConditionSet& set, std::span<const double> parameters) const;
-    template <class Visitor>
-    std::string_view visit_residuals(std::span<const double> parameters, const Visitor& visit) const;
+    template <class Visitor, class Enough>
+    std::string_view visit_residuals(std::span<const double> parameters, const Visitor& visit,
+                                     const Enough& enough) const;
     template <class Visitor>
     std::string_view visit_quantities(const ConditionSet& set, const Prediction& prediction,
                                       const Visitor& visit) const;

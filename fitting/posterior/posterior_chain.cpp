@@ -13,13 +13,20 @@ double PosteriorChain::normal_number() {
     return normal_quantile(random_.unit());
 }
 
-bool PosteriorChain::evaluate(State& state) {
+bool PosteriorChain::evaluate(State& state, double least) {
     state.parameters.resize(prior_.parameters().size());
     prior_.values(state.normal, state.parameters);
-    const Evaluation evaluation = misfit_.quantity(state.parameters);
+    double log_prior = 0;
+    for (const double number : state.normal) {
+        log_prior -= number * number / 2;
+    }
+    // The margin is for rounding: what it lets through is decided by the whole misfit.
+    const double most = 2 * (log_prior - least) + 1e-9 * (1 - log_prior + std::abs(least));
+    const bool hopeless = misfit_.bounded != nullptr && most < 0;
+    const Evaluation evaluation = hopeless ? Evaluation{} : misfit_.value(state.parameters, most);
     misfit_.progress.count();
     evaluations_.record(evaluation);
-    if (!evaluation.valid()) {
+    if (!evaluation.valid() || hopeless) {
         return false;
     }
     state.misfit = evaluation.value;
@@ -88,7 +95,8 @@ bool PosteriorChain::accept(State& state, Proposal proposal) {
     const double threshold = std::log(random_.unit());
     State candidate;
     candidate.normal = std::move(proposal.normal);
-    if (!evaluate(candidate) || candidate.log_density - state.log_density + proposal.log_weight < threshold) {
+    if (!evaluate(candidate, state.log_density - proposal.log_weight + threshold) ||
+        candidate.log_density - state.log_density + proposal.log_weight < threshold) {
         return false;
     }
     state = std::move(candidate);

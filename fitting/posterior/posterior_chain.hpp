@@ -7,6 +7,7 @@
 #include "fitting/search/evaluate_points.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace delabole {
@@ -46,7 +47,8 @@ class PosteriorChain {
     };
 
     double normal_number();
-    bool evaluate(State& state);
+    // False also for a state whose log_density is `least` or less: such a state is not evaluated to the end.
+    bool evaluate(State& state, double least = -std::numeric_limits<double>::infinity());
     Proposal difference_step(const State& from, const Points& archive);
     Proposal snooker_step(const State& from, const Points& archive);
     Proposal mixture_step(const State& from, const StudentMixture& mixture);

@@ -16,15 +16,22 @@ namespace delabole {
 // points only, so anything else that it stores is unknown to the other ranks.
 using PointOf = std::function<void(std::size_t index, std::span<double> parameters)>;
 
+// A sum of squares that may be left unfinished once it exceeds `most`: its value is then some number above that.
+using BoundedObjective = std::function<Evaluation(std::span<const double> parameters, double most)>;
+
 struct Evaluator {
     const Objective& quantity;  // pure, safe to call from several threads
     ProgressMeter& progress;
     StopFlag stop = nullptr;
     int threads = 1;
-    const Ranks* ranks = nullptr;  // null: this process alone
+    const Ranks* ranks = nullptr;               // null: this process alone
+    const BoundedObjective* bounded = nullptr;  // the same quantity; null: it is always finished
 
     Workers workers() const { return {threads, ranks}; }
     bool stopped() const { return stop_requested(stop); }
+    Evaluation value(std::span<const double> parameters, double most) const {
+        return bounded != nullptr ? (*bounded)(parameters, most) : quantity(parameters);
+    }
 
     // Evaluations of points 0 ... count - 1 in order; if the work was stopped, of those before the first point left
     // out. Every rank has to call this, from the thread that made Ranks.
