@@ -31,12 +31,10 @@ struct Prior {
     std::string source;
     static constexpr bool written_in_line = true;
     static constexpr auto fields() {
-        using P = Prior;
         return std::tuple{
-            number("mean", &P::mean, Dimension::named, any_number(), "mean of the prior"),
-            number("standard_deviation", &P::standard_deviation, Dimension::named, more_than(0),
-                   "standard deviation of the prior"),
-            with_default(section("source", &P::source, "where the prior comes from")),
+            number<&Prior::mean>(Dimension::named, "mean of the prior"),
+            number<&Prior::standard_deviation>(Dimension::named, more_than(0), "standard deviation of the prior"),
+            with_default(section<&Prior::source>("where the prior comes from")),
         };
     }
 };
@@ -51,11 +49,11 @@ struct FreeParameter {
     static constexpr auto fields() {
         using P = FreeParameter;
         return std::tuple{
-            refers_to(NameOf::input, section("name", &P::name, "the input that is free, e.g. strength.friction_angle")),
-            number("lower", &P::lower, Dimension::named, any_number(), "lower bound"),
-            number("upper", &P::upper, Dimension::named, any_number(), "upper bound"),
-            section("prior", &P::prior, "what is known beforehand"),
-            refers_to(NameOf::input, section("also", &P::also, "further inputs that take the same value")),
+            refers_to(NameOf::input, section<&P::name>("the input that is free, e.g. strength.friction_angle")),
+            number<&P::lower>(Dimension::named, "lower bound"),
+            number<&P::upper>(Dimension::named, "upper bound"),
+            section<&P::prior>("what is known beforehand"),
+            refers_to(NameOf::input, section<&P::also>("further inputs that take the same value")),
         };
     }
 };
@@ -74,16 +72,15 @@ struct QuantityObservation {
     std::string source;
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
-        using O = QuantityObservation;
         return std::tuple{
-            section("label", &O::label, "what was observed, in a few words"),
-            refers_to(NameOf::output, section("quantity", &O::quantity, "name of an output of the model")),
-            with_default(section("relation", &O::relation, "how the quantity compares with the value")),
-            number("value", &O::value, Dimension::named, any_number(), "the observed value"),
-            number("standard_deviation", &O::standard_deviation, Dimension::named, more_than(0),
-                   "standard deviation of the observation, or of the model"),
-            section("with", &O::conditions, "inputs that differed"),
-            with_default(section("source", &O::source, "where the observation comes from")),
+            section<&QuantityObservation::label>("what was observed, in a few words"),
+            refers_to(NameOf::output, section<&QuantityObservation::quantity>("name of an output of the model")),
+            with_default(section<&QuantityObservation::relation>("how the quantity compares with the value")),
+            number<&QuantityObservation::value>(Dimension::named, "the observed value"),
+            number<&QuantityObservation::standard_deviation>(Dimension::named, more_than(0),
+                                                             "standard deviation of the observation, or of the model"),
+            section("with", &QuantityObservation::conditions, "inputs that differed"),
+            with_default(section<&QuantityObservation::source>("where the observation comes from")),
         };
     }
 };
@@ -93,13 +90,12 @@ struct ProfileObservation {
     double standard_deviation;  // m, > 0
     std::string source;
     static constexpr auto fields() {
-        using O = ProfileObservation;
         return std::tuple{
-            number("points", &O::profile, Dimension::length, any_number(),
+            number("points", &ProfileObservation::profile, Dimension::length, any_number(),
                    "the ground after the failure, from the toe into the slope"),
-            number("standard_deviation", &O::standard_deviation, Dimension::length, more_than(0),
-                   "standard deviation of the distance from the profile"),
-            with_default(section("source", &O::source, "where the profile comes from")),
+            number<&ProfileObservation::standard_deviation>(Dimension::length, more_than(0),
+                                                            "standard deviation of the distance from the profile"),
+            with_default(section<&ProfileObservation::source>("where the profile comes from")),
         };
     }
 };
@@ -110,11 +106,10 @@ struct FieldEvidence {
     std::string statement;
     std::string source;
     static constexpr auto fields() {
-        using E = FieldEvidence;
         return std::tuple{
-            section("name", &E::name, "a short name, e.g. crest_block_rotation"),
-            section("statement", &E::statement, "what was seen"),
-            with_default(section("source", &E::source, "who saw it")),
+            section<&FieldEvidence::name>("a short name, e.g. crest_block_rotation"),
+            section<&FieldEvidence::statement>("what was seen"),
+            with_default(section<&FieldEvidence::source>("who saw it")),
         };
     }
 };
@@ -127,12 +122,11 @@ struct EvidenceSign {
     double value;
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
-        using E = EvidenceSign;
         return std::tuple{
-            section("evidence", &E::evidence, "name of a [[fit.evidence]]"),
-            refers_to(NameOf::output, section("quantity", &E::quantity, "name of an output of the mechanism")),
-            with_default(section("relation", &E::relation, "how the quantity compares with the value")),
-            number("value", &E::value, Dimension::named, any_number(), "limit of the quantity"),
+            section<&EvidenceSign::evidence>("name of a [[fit.evidence]]"),
+            refers_to(NameOf::output, section<&EvidenceSign::quantity>("name of an output of the mechanism")),
+            with_default(section<&EvidenceSign::relation>("how the quantity compares with the value")),
+            number<&EvidenceSign::value>(Dimension::named, "limit of the quantity"),
         };
     }
 };
@@ -151,15 +145,14 @@ struct FitCandidate {
     static constexpr auto fields() {
         using C = FitCandidate;
         return std::tuple{
-            section("label", &C::label, "what could be measured, in a few words"),
+            section<&C::label>("what could be measured, in a few words"),
             refers_to(NameOf::measurable,
                       section("quantity", &C::quantities,
                               "name of an output or an input of the model, or a list of such names")),
-            number("standard_deviation", &C::standard_deviation, Dimension::named, more_than(0),
-                   "standard deviation of the measurement"),
+            number<&C::standard_deviation>(Dimension::named, more_than(0), "standard deviation of the measurement"),
             section("with", &C::conditions, "inputs under which an output would be measured"),
-            number("cost", &C::cost, Dimension::ratio, more_than(0), "in any unit that the candidates share"),
-            with_default(section("source", &C::source, "where cost and accuracy come from")),
+            number<&C::cost>(more_than(0), "in any unit that the candidates share"),
+            with_default(section<&C::source>("where cost and accuracy come from")),
         };
     }
 };
@@ -181,13 +174,12 @@ struct ClaimOfQuantity {
     std::optional<std::vector<Condition>>
         against;  // the claim is then about the increase over the value under these conditions
     static constexpr auto fields() {
-        using C = ClaimOfQuantity;
         return std::tuple{
             refers_to(NameOf::mechanism,
-                      section("mechanism", &C::mechanism, "name of the mechanism that is asked, or probability_of")),
-            refers_to(NameOf::output, section("quantity", &C::quantity, "name of an output of the mechanism")),
-            section("with", &C::conditions, "inputs that differ from what was fitted"),
-            section("compared_with", &C::against, "inputs of the prediction that it is compared with"),
+                      section<&ClaimOfQuantity::mechanism>("name of the mechanism that is asked, or probability_of")),
+            refers_to(NameOf::output, section<&ClaimOfQuantity::quantity>("name of an output of the mechanism")),
+            section("with", &ClaimOfQuantity::conditions, "inputs that differ from what was fitted"),
+            section("compared_with", &ClaimOfQuantity::against, "inputs of the prediction that it is compared with"),
         };
     }
 };
@@ -199,12 +191,11 @@ struct ConclusionTest {
     double limit;                            // of the probability, the quantity or the difference
     Dimension dimension = Dimension::ratio;  // of the limit
     static constexpr auto fields() {
-        using T = ConclusionTest;
         return std::tuple{
-            section("claim", &T::claim, "what is claimed, in words"),
-            inlined(&T::of, "what the claim is about"),
-            with_default(section("relation", &T::relation, "how what is claimed compares with the value")),
-            number("value", &T::limit, Dimension::named, any_number(), "limit of what is claimed"),
+            section<&ConclusionTest::claim>("what is claimed, in words"),
+            inlined(&ConclusionTest::of, "what the claim is about"),
+            with_default(section<&ConclusionTest::relation>("how what is claimed compares with the value")),
+            number("value", &ConclusionTest::limit, Dimension::named, any_number(), "limit of what is claimed"),
         };
     }
 };
@@ -217,13 +208,12 @@ struct Conclusion {
     std::string source;
     std::string note;
     static constexpr auto fields() {
-        using C = Conclusion;
         return std::tuple{
-            section("label", &C::label, "what it is called, e.g. (i)"),
-            section("statement", &C::statement, "what was concluded"),
-            with_default(section("source", &C::source, "who concluded it")),
-            with_default(section("note", &C::note, "what else there is to say")),
-            section("test", &C::tests, "a claim that a prediction can confirm or contradict"),
+            section<&Conclusion::label>("what it is called, e.g. (i)"),
+            section<&Conclusion::statement>("what was concluded"),
+            with_default(section<&Conclusion::source>("who concluded it")),
+            with_default(section<&Conclusion::note>("what else there is to say")),
+            section("test", &Conclusion::tests, "a claim that a prediction can confirm or contradict"),
         };
     }
 };
@@ -238,13 +228,12 @@ struct MechanismTask {
     std::vector<QuantityObservation> own_observations = {};
     std::vector<EvidenceSign> signs = {};  // of field evidence; all signs given for one piece of evidence have to hold
     static constexpr auto fields() {
-        using M = MechanismTask;
         return std::tuple{
-            section("name", &M::name, "a short name, e.g. critical_geometry"),
-            with_default(section("title", &M::title, "what figures call it")),
-            section("parameter", &M::parameters, "an input that is free"),
-            section("observation", &M::own_observations, "an observation in terms of this mechanism"),
-            section("shows", &M::signs, "what shows a piece of field evidence"),
+            section<&MechanismTask::name>("a short name, e.g. critical_geometry"),
+            with_default(section<&MechanismTask::title>("what figures call it")),
+            section("parameter", &MechanismTask::parameters, "an input that is free"),
+            section("observation", &MechanismTask::own_observations, "an observation in terms of this mechanism"),
+            section("shows", &MechanismTask::signs, "what shows a piece of field evidence"),
         };
     }
 };
@@ -267,20 +256,20 @@ struct SurrogateSettings {
     double give_up_below = 1e-3;
     int runs_of_claim = 4;
     static constexpr auto fields() {
-        using S = SurrogateSettings;
         constexpr Interval runs_range = within(12, 2000);  // with more runs the surrogate takes longer than the model
         return std::tuple{
-            with_default(number("runs", &S::runs, Dimension::ratio, runs_range, "runs at most")),
-            number("first_runs", &S::first_runs, Dimension::ratio, runs_range,
-                   "runs before the surrogate says where to run; 10 for each parameter where it is absent"),
-            with_default(number("tolerance", &S::tolerance, Dimension::ratio, between(0, 1),
-                                "relative error of the evidence that is small enough to stop")),
+            with_default(number<&SurrogateSettings::runs>(runs_range, "runs at most")),
+            number<&SurrogateSettings::first_runs>(
+                runs_range, "runs before the surrogate says where to run; 10 for each parameter where it is absent"),
+            with_default(number<&SurrogateSettings::tolerance>(
+                between(0, 1), "relative error of the evidence that is small enough to stop")),
             // Cheap mechanisms are fitted first, so that costly ones with a far lower evidence can be given up.
-            with_default(number("give_up_below", &S::give_up_below, Dimension::ratio, right_open(0, 1),
-                                "no more runs once the evidence, with twice its error, is less than this share of the "
-                                "best of mechanisms of another kind; 0 for never")),
-            with_default(number("runs_of_claim", &S::runs_of_claim, Dimension::ratio, within(1, 1000),
-                                "draws of the posterior at which a claim about such a mechanism is evaluated")),
+            with_default(number<&SurrogateSettings::give_up_below>(
+                right_open(0, 1),
+                "no more runs once the evidence, with twice its error, is less than this "
+                "share of the best of mechanisms of another kind; 0 for never")),
+            with_default(number<&SurrogateSettings::runs_of_claim>(
+                within(1, 1000), "draws of the posterior at which a claim about such a mechanism is evaluated")),
         };
     }
 };
@@ -300,22 +289,18 @@ struct FitSettings {
         using S = FitSettings;
         constexpr Interval points_range = within(5, 2001);
         return std::tuple{
-            with_default(section("algorithm", &S::algorithm, "what minimises the misfit")),
-            with_default(
-                number("starts", &S::starts, Dimension::ratio, within(1, 100'000),
-                       "local runs, from the prior means, then from a Sobol sequence; a global algorithm makes "
-                       "one run with the evaluations of all")),
+            with_default(section<&S::algorithm>("what minimises the misfit")),
+            with_default(number<&S::starts>(within(1, 100'000),
+                                            "local runs, from the prior means, then from a Sobol sequence; a global "
+                                            "algorithm makes one run with the evaluations of all")),
             // A quarter of the evaluations is kept for polishing.
-            with_default(number("evaluations_per_start", &S::evaluations_per_start, Dimension::ratio,
-                                within(10, 100'000'000), "evaluations of each at most")),
-            with_default(number("relative_tolerance", &S::relative_tolerance, Dimension::ratio, between(0, 1),
-                                "stop when the parameters, scaled by their bounds, move less than this")),
-            with_default(number("profile_points", &S::profile_points, Dimension::ratio, points_range,
-                                "points of each profile likelihood")),
-            with_default(number("map_points", &S::map_points, Dimension::ratio, points_range,
-                                "points along each side of the misfit map")),
-            with_default(number("seed", &S::seed, Dimension::ratio, at_least(0), "for what uses chance")),
-            with_default(section("surrogate", &S::surrogate, "for models that take long")),
+            with_default(number<&S::evaluations_per_start>(within(10, 100'000'000), "evaluations of each at most")),
+            with_default(number<&S::relative_tolerance>(
+                between(0, 1), "stop when the parameters, scaled by their bounds, move less than this")),
+            with_default(number<&S::profile_points>(points_range, "points of each profile likelihood")),
+            with_default(number<&S::map_points>(points_range, "points along each side of the misfit map")),
+            with_default(number<&S::seed>(at_least(0), "for what uses chance")),
+            with_default(section<&S::surrogate>("for models that take long")),
         };
     }
 };
@@ -330,15 +315,14 @@ struct FitTask {
     std::vector<FitCandidate> candidates = {};
     std::vector<Conclusion> conclusions = {};
     static constexpr auto fields() {
-        using T = FitTask;
         return std::tuple{
-            inlined(&T::settings, "how to search"),
-            section("posterior", &T::posterior, "samples the posterior and the evidence"),
-            section("observation", &T::observations, "a quantity that was observed"),
-            section("profile", &T::profile, "the ground after the failure"),
-            section("evidence", &T::evidence, "evidence without a number"),
-            section("candidate", &T::candidates, "a measurement that could be made next"),
-            section("conclusion", &T::conclusions, "what others concluded"),
+            inlined(&FitTask::settings, "how to search"),
+            section<&FitTask::posterior>("samples the posterior and the evidence"),
+            section("observation", &FitTask::observations, "a quantity that was observed"),
+            section<&FitTask::profile>("the ground after the failure"),
+            section<&FitTask::evidence>("evidence without a number"),
+            section("candidate", &FitTask::candidates, "a measurement that could be made next"),
+            section("conclusion", &FitTask::conclusions, "what others concluded"),
         };
     }
 };

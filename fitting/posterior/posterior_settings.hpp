@@ -34,13 +34,12 @@ struct PosteriorStudy {
         using S = PosteriorStudy;
         constexpr double most = 100'000'000;
         return std::tuple{
-            with_default(number("chains", &S::chains, Dimension::ratio, within(2, 1000), "chains of the sampler")),
-            with_default(number("draws", &S::draws, Dimension::ratio, within(draws_per_chain * 2, most),
-                                "steps of all chains together in the first round")),
-            with_default(number("evaluations_per_chain", &S::evaluations_per_chain, Dimension::ratio, within(1, most),
-                                "no further round is begun that would exceed it")),
-            with_default(number("evidence_points", &S::evidence_points, Dimension::ratio, within(16, 1 << 24),
-                                "points of each replicate of the evidence")),
+            with_default(number<&S::chains>(within(2, 1000), "chains of the sampler")),
+            with_default(number<&S::draws>(within(draws_per_chain * 2, most),
+                                           "steps of all chains together in the first round")),
+            with_default(
+                number<&S::evaluations_per_chain>(within(1, most), "no further round is begun that would exceed it")),
+            with_default(number<&S::evidence_points>(within(16, 1 << 24), "points of each replicate of the evidence")),
         };
     }
 };

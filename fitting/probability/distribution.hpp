@@ -24,9 +24,8 @@ struct Normal {
     static constexpr std::string_view kind = "normal";
     static constexpr std::string_view kind_key = "distribution";
     static constexpr auto fields() {
-        return std::tuple{number("mean", &Normal::mean, Dimension::named, any_number(), "mean"),
-                          number("standard_deviation", &Normal::standard_deviation, Dimension::named, more_than(0),
-                                 "standard deviation")};
+        return std::tuple{number<&Normal::mean>(Dimension::named, "mean"),
+                          number<&Normal::standard_deviation>(Dimension::named, more_than(0), "standard deviation")};
     }
 };
 
@@ -36,9 +35,10 @@ struct Lognormal {
     double standard_deviation;
     static constexpr std::string_view kind = "lognormal";
     static constexpr auto fields() {
-        return std::tuple{number("mean", &Lognormal::mean, Dimension::named, more_than(0), "mean"),
-                          number("standard_deviation", &Lognormal::standard_deviation, Dimension::named, more_than(0),
-                                 "standard deviation of the parameter itself, not of its logarithm")};
+        return std::tuple{
+            number<&Lognormal::mean>(Dimension::named, more_than(0), "mean"),
+            number<&Lognormal::standard_deviation>(Dimension::named, more_than(0),
+                                                   "standard deviation of the parameter itself, not of its logarithm")};
     }
 };
 
@@ -47,8 +47,7 @@ struct Exponential {
     double mean;  // > 0
     static constexpr std::string_view kind = "exponential";
     static constexpr auto fields() {
-        return std::tuple{
-            number("mean", &Exponential::mean, Dimension::named, more_than(0), "mean before any truncation")};
+        return std::tuple{number<&Exponential::mean>(Dimension::named, more_than(0), "mean before any truncation")};
     }
 };
 
@@ -57,8 +56,8 @@ struct Uniform {
     double upper;
     static constexpr std::string_view kind = "uniform";
     static constexpr auto fields() {
-        return std::tuple{number("lower", &Uniform::lower, Dimension::named, any_number(), "least value"),
-                          number("upper", &Uniform::upper, Dimension::named, any_number(), "greatest value")};
+        return std::tuple{number<&Uniform::lower>(Dimension::named, "least value"),
+                          number<&Uniform::upper>(Dimension::named, "greatest value")};
     }
 };
 
@@ -68,9 +67,9 @@ struct Triangular {
     double upper;
     static constexpr std::string_view kind = "triangular";
     static constexpr auto fields() {
-        return std::tuple{number("lower", &Triangular::lower, Dimension::named, any_number(), "least value"),
-                          number("mode", &Triangular::mode, Dimension::named, any_number(), "most likely value"),
-                          number("upper", &Triangular::upper, Dimension::named, any_number(), "greatest value")};
+        return std::tuple{number<&Triangular::lower>(Dimension::named, "least value"),
+                          number<&Triangular::mode>(Dimension::named, "most likely value"),
+                          number<&Triangular::upper>(Dimension::named, "greatest value")};
     }
 };
 
@@ -83,11 +82,10 @@ struct Beta {
     double upper;
     static constexpr std::string_view kind = "beta";
     static constexpr auto fields() {
-        return std::tuple{number("mean", &Beta::mean, Dimension::named, any_number(), "mean"),
-                          number("standard_deviation", &Beta::standard_deviation, Dimension::named, more_than(0),
-                                 "standard deviation"),
-                          number("lower", &Beta::lower, Dimension::named, any_number(), "least value"),
-                          number("upper", &Beta::upper, Dimension::named, any_number(), "greatest value")};
+        return std::tuple{number<&Beta::mean>(Dimension::named, "mean"),
+                          number<&Beta::standard_deviation>(Dimension::named, more_than(0), "standard deviation"),
+                          number<&Beta::lower>(Dimension::named, "least value"),
+                          number<&Beta::upper>(Dimension::named, "greatest value")};
     }
 };
 
@@ -104,11 +102,10 @@ struct Distribution {
     std::optional<double> lower = {};  // truncation
     std::optional<double> upper = {};
     static constexpr auto fields() {
-        using D = Distribution;
         return std::tuple{
-            inlined(&D::law, "kind of distribution"),
-            number("lower", &D::lower, Dimension::named, any_number(), "smaller values are cut off"),
-            number("upper", &D::upper, Dimension::named, any_number(), "greater values are cut off"),
+            inlined(&Distribution::law, "kind of distribution"),
+            number<&Distribution::lower>(Dimension::named, "smaller values are cut off"),
+            number<&Distribution::upper>(Dimension::named, "greater values are cut off"),
         };
     }
 };

@@ -29,13 +29,11 @@ struct FailureCriterion {
     std::vector<std::string> standing_words = {};
 
     static constexpr auto fields() {
-        using C = FailureCriterion;
         return std::tuple{
-            number("limit", &C::limit, Dimension::named, any_number(),
-                   "value of the quantity at which the slope fails"),
-            with_default(section("side", &C::side, "where the slope has failed")),
-            section("failing_words", &C::failing_words, "words of the model that mean failure"),
-            section("standing_words", &C::standing_words, "words of the model that mean that the slope stands"),
+            number<&FailureCriterion::limit>(Dimension::named, "value of the quantity at which the slope fails"),
+            with_default(section<&FailureCriterion::side>("where the slope has failed")),
+            section<&FailureCriterion::failing_words>("words of the model that mean failure"),
+            section<&FailureCriterion::standing_words>("words of the model that mean that the slope stands"),
         };
     }
 
@@ -57,12 +55,11 @@ struct PropagationSettings {
     static constexpr auto fields() {
         using S = PropagationSettings;
         return std::tuple{
-            with_default(section("method", &S::method, "how samples are drawn")),
-            with_default(number("samples", &S::samples, Dimension::ratio, within(2, most_samples),
-                                "raised to the next number that the replicates share evenly, by powers of 2 for a "
-                                "sequence")),
-            with_default(number("replicates", &S::replicates, Dimension::ratio, within(2, 1000),
-                                "independent samples whose spread gives the error")),
+            with_default(section<&S::method>("how samples are drawn")),
+            with_default(number<&S::samples>(
+                within(2, most_samples),
+                "raised to the next number that the replicates share evenly, by powers of 2 for a sequence")),
+            with_default(number<&S::replicates>(within(2, 1000), "independent samples whose spread gives the error")),
         };
     }
 };

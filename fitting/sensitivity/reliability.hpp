@@ -29,14 +29,12 @@ struct ReliabilitySettings {
     double step = 1e-3;
     double tolerance = 1e-3;
     static constexpr auto fields() {
-        using S = ReliabilitySettings;
         return std::tuple{
-            with_default(number("starts", &S::starts, Dimension::ratio, within(1, 10'000),
-                                "the medians, then random points two standard deviations away")),
-            with_default(number("step", &S::step, Dimension::ratio, within(1e-6, 1),
-                                "step of differences in standard deviations; larger for models with a coarse answer")),
-            with_default(number("tolerance", &S::tolerance, Dimension::ratio, within(1e-8, 0.5),
-                                "error of the reliability index")),
+            with_default(number<&ReliabilitySettings::starts>(
+                within(1, 10'000), "the medians, then random points two standard deviations away")),
+            with_default(number<&ReliabilitySettings::step>(
+                within(1e-6, 1), "step of differences in standard deviations; larger for models with a coarse answer")),
+            with_default(number<&ReliabilitySettings::tolerance>(within(1e-8, 0.5), "error of the reliability index")),
         };
     }
 };

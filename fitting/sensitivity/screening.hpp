@@ -20,12 +20,9 @@ struct TornadoSettings {
     double lower_probability = 0.05;
     double upper_probability = 0.95;
     static constexpr auto fields() {
-        using S = TornadoSettings;
         return std::tuple{
-            with_default(number("lower_probability", &S::lower_probability, Dimension::ratio, lower_quantile,
-                                "probability of the lower end")),
-            with_default(number("upper_probability", &S::upper_probability, Dimension::ratio, upper_quantile,
-                                "probability of the upper end")),
+            with_default(number<&TornadoSettings::lower_probability>(lower_quantile, "probability of the lower end")),
+            with_default(number<&TornadoSettings::upper_probability>(upper_quantile, "probability of the upper end")),
         };
     }
 };
@@ -67,14 +64,11 @@ struct MorrisSettings {
     static constexpr auto fields() {
         using S = MorrisSettings;
         return std::tuple{
-            with_default(number("trajectories", &S::trajectories, Dimension::ratio, within(2, 1e6),
-                                "walks in which each parameter changes once")),
-            with_default(number("levels", &S::levels, Dimension::ratio, within(2, 1000),
-                                "values of each parameter; even, since a step is half the levels")),
-            with_default(number("lower_probability", &S::lower_probability, Dimension::ratio, lower_quantile,
-                                "probability of the lower end")),
-            with_default(number("upper_probability", &S::upper_probability, Dimension::ratio, upper_quantile,
-                                "probability of the upper end")),
+            with_default(number<&S::trajectories>(within(2, 1e6), "walks in which each parameter changes once")),
+            with_default(
+                number<&S::levels>(within(2, 1000), "values of each parameter; even, since a step is half the levels")),
+            with_default(number<&S::lower_probability>(lower_quantile, "probability of the lower end")),
+            with_default(number<&S::upper_probability>(upper_quantile, "probability of the upper end")),
         };
     }
 };

@@ -30,10 +30,10 @@ struct UncertainParameter {
     static constexpr auto fields() {
         using P = UncertainParameter;
         return std::tuple{
-            refers_to(NameOf::input, section("name", &P::name, "the input that is uncertain, e.g. strength.cohesion")),
+            refers_to(NameOf::input, section<&P::name>("the input that is uncertain, e.g. strength.cohesion")),
             inlined(&P::distribution, "how it is distributed"),
-            refers_to(NameOf::input, section("also", &P::also, "further inputs that take the same value")),
-            with_default(section("source", &P::source, "where the distribution comes from")),
+            refers_to(NameOf::input, section<&P::also>("further inputs that take the same value")),
+            with_default(section<&P::source>("where the distribution comes from")),
         };
     }
 };
@@ -43,11 +43,10 @@ struct ParameterCorrelation {
     CorrelationMeasure measure = CorrelationMeasure::linear;
     double coefficient;
     static constexpr auto fields() {
-        using C = ParameterCorrelation;
         return std::tuple{
-            section("between", &C::pair, "the names of two uncertain parameters, [\"a\", \"b\"]"),
-            number("coefficient", &C::coefficient, Dimension::ratio, between(-1, 1), "correlation coefficient"),
-            with_default(section("measure", &C::measure, "of the values, or of their ranks")),
+            section("between", &ParameterCorrelation::pair, "the names of two uncertain parameters, [\"a\", \"b\"]"),
+            number<&ParameterCorrelation::coefficient>(between(-1, 1), "correlation coefficient"),
+            with_default(section<&ParameterCorrelation::measure>("of the values, or of their ranks")),
         };
     }
 };
@@ -69,18 +68,17 @@ struct SensitivityStudy {
     static constexpr auto fields() {
         using S = SensitivityStudy;
         return std::tuple{
-            refers_to(NameOf::output,
-                      section("quantity", &S::quantity, "the output that is studied, e.g. factor_of_safety")),
-            with_default(number("seed", &S::seed, Dimension::ratio, at_least(0), "of the random numbers")),
+            refers_to(NameOf::output, section<&S::quantity>("the output that is studied, e.g. factor_of_safety")),
+            with_default(number<&S::seed>(at_least(0), "of the random numbers")),
             section("parameter", &S::parameters, "an input that is uncertain"),
             section("correlation", &S::correlations, "parameters that depend on each other"),
-            section("failure", &S::failure, "when the quantity means failure"),
-            section("tornado", &S::tornado, "one parameter at a time, between two quantiles"),
-            section("sweep", &S::sweep, "in steps between the same quantiles: what is not monotone"),
-            section("morris", &S::morris, "elementary effects: which parameters matter"),
-            section("sobol_indices", &S::sobol_indices, "shares of the variance"),
-            section("propagation", &S::propagation, "distribution of the quantity and probability of failure"),
-            section("reliability", &S::reliability, "the most likely point of failure"),
+            section<&S::failure>("when the quantity means failure"),
+            section<&S::tornado>("one parameter at a time, between two quantiles"),
+            section<&S::sweep>("in steps between the same quantiles: what is not monotone"),
+            section<&S::morris>("elementary effects: which parameters matter"),
+            section<&S::sobol_indices>("shares of the variance"),
+            section<&S::propagation>("distribution of the quantity and probability of failure"),
+            section<&S::reliability>("the most likely point of failure"),
         };
     }
 };

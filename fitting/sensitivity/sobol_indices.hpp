@@ -31,10 +31,9 @@ struct SobolIndicesSettings {
     static constexpr auto fields() {
         using S = SobolIndicesSettings;
         return std::tuple{
-            with_default(number("samples", &S::samples, Dimension::ratio, within(16, 1 << 22),
-                                "N, a power of 2; the quantity is evaluated N (parameters + 2) times")),
-            with_default(number("bootstrap", &S::bootstrap, Dimension::ratio, within(100, 1e5),
-                                "repetitions that give the intervals")),
+            with_default(number<&S::samples>(within(16, 1 << 22),
+                                             "N, a power of 2; the quantity is evaluated N (parameters + 2) times")),
+            with_default(number<&S::bootstrap>(within(100, 1e5), "repetitions that give the intervals")),
         };
     }
 };

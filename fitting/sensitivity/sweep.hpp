@@ -37,11 +37,10 @@ struct SweptQuantity {
     double scatter = 0;
     Dimension dimension = Dimension::ratio;  // of the scatter, used when the study is written
     static constexpr auto fields() {
-        using S = SweptQuantity;
         return std::tuple{
-            refers_to(NameOf::output, section("name", &S::name, "an output that is swept too, e.g. weight")),
-            with_default(number("scatter", &S::scatter, Dimension::named, at_least(0),
-                                "standard deviation at unchanged parameters; 0 where it is exact")),
+            refers_to(NameOf::output, section<&SweptQuantity::name>("an output that is swept too, e.g. weight")),
+            with_default(number<&SweptQuantity::scatter>(
+                Dimension::named, at_least(0), "standard deviation at unchanged parameters; 0 where it is exact")),
         };
     }
 };
@@ -56,17 +55,15 @@ struct SweepSettings {
     static constexpr auto fields() {
         using S = SweepSettings;
         return std::tuple{
-            with_default(number("points", &S::points, Dimension::ratio, within(3, 19),
-                                "values of each parameter, with the others at their medians; odd")),
-            with_default(number("lower_probability", &S::lower_probability, Dimension::ratio, lower_quantile,
-                                "probability of the lower end")),
-            with_default(number("upper_probability", &S::upper_probability, Dimension::ratio, upper_quantile,
-                                "probability of the upper end")),
-            with_default(number("samples", &S::samples, Dimension::ratio, within(0, 10'000'000),
-                                "points of a Latin hypercube; 0: the others stay at their medians")),
-            with_default(number("scatter", &S::scatter, Dimension::named, at_least(0),
-                                "standard deviation of the quantity at unchanged parameters, used without samples; 0 "
-                                "where it is exact")),
+            with_default(
+                number<&S::points>(within(3, 19), "values of each parameter, with the others at their medians; odd")),
+            with_default(number<&S::lower_probability>(lower_quantile, "probability of the lower end")),
+            with_default(number<&S::upper_probability>(upper_quantile, "probability of the upper end")),
+            with_default(number<&S::samples>(within(0, 10'000'000),
+                                             "points of a Latin hypercube; 0: the others stay at their medians")),
+            with_default(number<&S::scatter>(Dimension::named, at_least(0),
+                                             "standard deviation of the quantity at unchanged parameters, used without "
+                                             "samples; 0 where it is exact")),
             section("quantity", &S::further, "a further output that is swept"),
         };
     }

@@ -27,11 +27,10 @@ struct SupportChoice {
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
         using C = SupportChoice;
-        return std::tuple{
-            refers_to(NameOf::input, section("input", &C::input, "what may be chosen, e.g. support[1].spacing")),
-            number("from", &C::from, Dimension::named, any_number(), "the first value"),
-            number("to", &C::to, Dimension::named, any_number(), "the last value"),
-            number("points", &C::points, Dimension::ratio, within(1, 1000), "how many values, equally spaced")};
+        return std::tuple{refers_to(NameOf::input, section<&C::input>("what may be chosen, e.g. support[1].spacing")),
+                          number<&C::from>(Dimension::named, "the first value"),
+                          number<&C::to>(Dimension::named, "the last value"),
+                          number<&C::points>(within(1, 1000), "how many values, equally spaced")};
     }
 };
 
@@ -42,13 +41,10 @@ struct SupportDesign {
     std::vector<SupportChoice> choices;
     static constexpr auto fields() {
         using D = SupportDesign;
-        return std::tuple{
-            number("factor_of_safety", &D::factor_of_safety, Dimension::ratio, more_than(0),
-                   "factor of safety to reach"),
-            number("cost_per_bolt", &D::cost_per_bolt, Dimension::ratio, at_least(0), "of head and work, any currency"),
-            number("cost_per_metre", &D::cost_per_metre, Dimension::ratio, at_least(0),
-                   "of bolt and hole, in the same currency"),
-            section("choose", &D::choices, "an input of the support and the values it may have")};
+        return std::tuple{number<&D::factor_of_safety>(more_than(0), "factor of safety to reach"),
+                          number<&D::cost_per_bolt>(at_least(0), "of head and work, any currency"),
+                          number<&D::cost_per_metre>(at_least(0), "of bolt and hole, in the same currency"),
+                          section("choose", &D::choices, "an input of the support and the values it may have")};
     }
 };
 

@@ -20,12 +20,11 @@ struct SectionPoint {
     double x;
     double y;
     static constexpr auto fields() {
-        using P = SectionPoint;
         // Within this range areas and their quotients do not overflow, and the section does not vanish beside its
         // distance.
         constexpr Interval range = within(-1e12, 1e12);
-        return std::tuple{number("x", &P::x, Dimension::length, range, "in the section"),
-                          number("y", &P::y, Dimension::length, range, "in the section")};
+        return std::tuple{number<&SectionPoint::x>(Dimension::length, range, "in the section"),
+                          number<&SectionPoint::y>(Dimension::length, range, "in the section")};
     }
     bool operator==(const SectionPoint&) const = default;
 };
@@ -56,30 +55,25 @@ struct JointSetCut {
     static constexpr auto fields() {
         using S = JointSetCut;
         return std::tuple{
-            number("dip", &S::dip, Dimension::angle, within(degrees(-90), degrees(90)),
-                   "positive out of the slope, towards -x"),
-            number("spacing", &S::spacing, Dimension::length, more_than(0), "mean, normal to the joints"),
-            number("scatter", &S::scatter, Dimension::ratio, right_open(0, 1),
-                   "of the spacing, greatest share more or less; absent: none"),
-            number("offset", &S::offset, Dimension::length, within(-1e12, 1e12),
-                   "of one joint from the point, downwards and normal to the joints; absent: 0"),
-            section("through", &S::through, "point from which the offset is measured; absent: the toe, (0, 0)"),
-            number("persistence", &S::persistence, Dimension::ratio, left_open(0, 1),
-                   "length of traces over that of traces and gaps; absent: 1"),
-            number("trace_length", &S::trace_length, Dimension::length, more_than(0),
-                   "of each trace; needed where the persistence is below 1"),
-            number("seed", &S::seed, Dimension::ratio, within(0, 1e15),
-                   "of scatter and traces; absent: the number of the cut"),
-            section("rock", &S::rock, "the only rock that is cut; absent: all"),
-            section("ends_on", &S::ends_on, "name of an earlier line that bounds the set"),
-            section("side", &S::side,
-                    "of that line, on which there are joints; of a line that stands upright, above is "
-                    "towards -x"),
-            section("staggered_by", &S::staggered_by,
-                    "name of an earlier set, from one column of which to the next the joints are shifted"),
-            number("stagger_share", &S::stagger_share, Dimension::ratio, within(0, 1), "shift as share of the spacing"),
-            section("region", &S::region,
-                    "corners of the polygon outside which there are no joints; absent: everywhere")};
+            number<&S::dip>(Dimension::angle, within(degrees(-90), degrees(90)),
+                            "positive out of the slope, towards -x"),
+            number<&S::spacing>(Dimension::length, more_than(0), "mean, normal to the joints"),
+            number<&S::scatter>(right_open(0, 1), "of the spacing, greatest share more or less; absent: none"),
+            number<&S::offset>(Dimension::length, within(-1e12, 1e12),
+                               "of one joint from the point, downwards and normal to the joints; absent: 0"),
+            section<&S::through>("point from which the offset is measured; absent: the toe, (0, 0)"),
+            number<&S::persistence>(left_open(0, 1), "length of traces over that of traces and gaps; absent: 1"),
+            number<&S::trace_length>(Dimension::length, more_than(0),
+                                     "of each trace; needed where the persistence is below 1"),
+            number<&S::seed>(within(0, 1e15), "of scatter and traces; absent: the number of the cut"),
+            section<&S::rock>("the only rock that is cut; absent: all"),
+            section<&S::ends_on>("name of an earlier line that bounds the set"),
+            section<&S::side>(
+                "of that line, on which there are joints; of a line that stands upright, above is towards -x"),
+            section<&S::staggered_by>(
+                "name of an earlier set, from one column of which to the next the joints are shifted"),
+            number<&S::stagger_share>(within(0, 1), "shift as share of the spacing"),
+            section<&S::region>("corners of the polygon outside which there are no joints; absent: everywhere")};
     }
     bool operator==(const JointSetCut&) const = default;
 };
@@ -98,13 +92,11 @@ struct LineCut {
 
     static constexpr std::string_view kind = "line";
     static constexpr auto fields() {
-        using L = LineCut;
-        return std::tuple{
-            number("thickness", &L::thickness, Dimension::length, more_than(0), "of the gouge; absent: none"),
-            section("gouge", &L::gouge, "name of the rock between the faces"),
-            section("rock_above", &L::rock_above, "name of the rock above the line; absent: as before"),
-            section("rock_below", &L::rock_below, "name of the rock below the line; absent: as before"),
-            section("vertex", &L::vertex, "points of the line, which may run out of the section")};
+        return std::tuple{number<&LineCut::thickness>(Dimension::length, more_than(0), "of the gouge; absent: none"),
+                          section<&LineCut::gouge>("name of the rock between the faces"),
+                          section<&LineCut::rock_above>("name of the rock above the line; absent: as before"),
+                          section<&LineCut::rock_below>("name of the rock below the line; absent: as before"),
+                          section<&LineCut::vertex>("points of the line, which may run out of the section")};
     }
     bool operator==(const LineCut&) const = default;
 };
@@ -115,9 +107,8 @@ struct SlopeCut {
     std::variant<JointSetCut, LineCut> trace;
     static constexpr auto fields() {
         using C = SlopeCut;
-        return std::tuple{section("name", &C::name, "by which others refer to it"),
-                          section("joint", &C::joint, "name of the properties along it"),
-                          section("trace", &C::trace, "where it runs")};
+        return std::tuple{section<&C::name>("by which others refer to it"),
+                          section<&C::joint>("name of the properties along it"), section<&C::trace>("where it runs")};
     }
     bool operator==(const SlopeCut&) const = default;
 };
@@ -133,18 +124,19 @@ struct SlopeGeometry {
     static constexpr auto fields() {
         using G = SlopeGeometry;
         return std::tuple{
-            section("outline_file", &G::outline_file, "DXF or CSV file with the outline, beside the case; or outline"),
-            section("outline_layer", &G::outline_layer,
-                    "layer of outline_file, a DXF, that has the outline; absent: there is nothing else in the drawing"),
-            section("intact_joint", &G::intact_joint,
-                    "name of the properties where rock is divided only because blocks are convex"),
-            number("snap_distance", &G::snap_distance, Dimension::length, more_than(0),
-                   "a cut this near to a corner runs through it; absent: 1/500 of the least spacing"),
-            number("sliver_share", &G::sliver_share, Dimension::ratio, right_open(0, 1),
-                   "of the median block's area, or of its size in width: less is a sliver, merged where that leaves a "
-                   "convex block and locks no joint, else taken away if below 0.02; absent: 0.02"),
-            section("outline", &G::outline, "corners of the section, either way round"),
-            section("cut", &G::cut, "joints, faults and boundaries in the order of cutting")};
+            section<&G::outline_file>("DXF or CSV file with the outline, beside the case; or outline"),
+            section<&G::outline_layer>(
+                "layer of outline_file, a DXF, that has the outline; absent: there is nothing else in the drawing"),
+            section<&G::intact_joint>("name of the properties where rock is divided only because blocks are convex"),
+            number<&G::snap_distance>(
+                Dimension::length, more_than(0),
+                "a cut this near to a corner runs through it; absent: 1/500 of the least spacing"),
+            number<&G::sliver_share>(
+                right_open(0, 1),
+                "of the median block's area, or of its size in width: less is a sliver, merged where that leaves a "
+                "convex block and locks no joint, else taken away if below 0.02; absent: 0.02"),
+            section<&G::outline>("corners of the section, either way round"),
+            section<&G::cut>("joints, faults and boundaries in the order of cutting")};
     }
     bool operator==(const SlopeGeometry&) const = default;
 };

@@ -26,12 +26,12 @@ struct OrientationRange {
     static constexpr auto fields() {
         using R = OrientationRange;
         return std::tuple{
-            number("lower_dip", &R::lower_dip, Dimension::angle, within(0, degrees(90)), "flattest dip"),
-            number("upper_dip", &R::upper_dip, Dimension::angle, within(0, degrees(90)), "steepest dip"),
-            number("first_dip_direction", &R::first_dip_direction, Dimension::angle, within(0, degrees(360)),
-                   "dip direction where the range begins"),
-            number("last_dip_direction", &R::last_dip_direction, Dimension::angle, within(0, degrees(360)),
-                   "dip direction where the range ends, clockwise from the first")};
+            number<&R::lower_dip>(Dimension::angle, within(0, degrees(90)), "flattest dip"),
+            number<&R::upper_dip>(Dimension::angle, within(0, degrees(90)), "steepest dip"),
+            number<&R::first_dip_direction>(Dimension::angle, within(0, degrees(360)),
+                                            "dip direction where the range begins"),
+            number<&R::last_dip_direction>(Dimension::angle, within(0, degrees(360)),
+                                           "dip direction where the range ends, clockwise from the first")};
     }
 };
 
@@ -43,11 +43,9 @@ struct MeanOrientation {
     std::optional<double> concentration;
     static constexpr auto fields() {
         using M = MeanOrientation;
-        return std::tuple{
-            number("dip", &M::dip, Dimension::angle, within(0, degrees(90)), "mean dip"),
-            number("dip_direction", &M::dip_direction, Dimension::angle, within(0, degrees(360)), "mean dip direction"),
-            number("concentration", &M::concentration, Dimension::ratio, within(1e-3, 1e9),
-                   "Fisher's K of the poles; absent: no scatter")};
+        return std::tuple{number<&M::dip>(Dimension::angle, within(0, degrees(90)), "mean dip"),
+                          number<&M::dip_direction>(Dimension::angle, within(0, degrees(360)), "mean dip direction"),
+                          number<&M::concentration>(within(1e-3, 1e9), "Fisher's K of the poles; absent: no scatter")};
     }
 };
 
@@ -57,13 +55,12 @@ struct PoleWindow {
     double window_dip_direction;
     double window_radius;
     static constexpr auto fields() {
-        using W = PoleWindow;
-        return std::tuple{number("window_dip", &W::window_dip, Dimension::angle, within(0, degrees(90)),
-                                 "dip of the plane in whose pole the window has its middle"),
-                          number("window_dip_direction", &W::window_dip_direction, Dimension::angle,
-                                 within(0, degrees(360)), "its dip direction"),
-                          number("window_radius", &W::window_radius, Dimension::angle, left_open(0, degrees(90)),
-                                 "angle from there within which measured poles belong to the set")};
+        return std::tuple{
+            number<&PoleWindow::window_dip>(Dimension::angle, within(0, degrees(90)),
+                                            "dip of the plane in whose pole the window has its middle"),
+            number<&PoleWindow::window_dip_direction>(Dimension::angle, within(0, degrees(360)), "its dip direction"),
+            number<&PoleWindow::window_radius>(Dimension::angle, left_open(0, degrees(90)),
+                                               "angle from there within which measured poles belong to the set")};
     }
 };
 
@@ -71,7 +68,7 @@ struct JointSet {
     std::string name;
     std::variant<OrientationRange, MeanOrientation, PoleWindow> orientation;
     static constexpr auto fields() {
-        return std::tuple{section("name", &JointSet::name, "name of the set"),
+        return std::tuple{section<&JointSet::name>("name of the set"),
                           inlined(&JointSet::orientation, "its orientations")};
     }
 };

@@ -54,11 +54,10 @@ struct MechanismFeasibility {
     double feasible_share;
     static constexpr auto fields() {
         using M = MechanismFeasibility;
-        return std::tuple{section("at_mean", &M::at_mean, "verdict at the mean orientation"),
-                          number("critical_friction_angle", &M::critical_friction_angle, Dimension::angle, any_number(),
-                                 "feasible at the mean below this friction angle; 0: at none"),
-                          number("feasible_share", &M::feasible_share, Dimension::ratio, any_number(),
-                                 "share of the sampled orientations that is feasible")};
+        return std::tuple{section<&M::at_mean>("verdict at the mean orientation"),
+                          number<&M::critical_friction_angle>(
+                              Dimension::angle, "feasible at the mean below this friction angle; 0: at none"),
+                          number<&M::feasible_share>("share of the sampled orientations that is feasible")};
     }
 };
 
@@ -74,18 +73,17 @@ struct JointSetFeasibility {
     std::optional<FisherStatistics> measured;
     static constexpr auto fields() {
         using J = JointSetFeasibility;
-        return std::tuple{section("name", &J::name, "name of the set"),
-                          section("mean", &J::mean, "mean orientation"),
-                          number("apparent_dip", &J::apparent_dip, Dimension::angle, any_number(),
-                                 "dip of the mean in the section across the face; negative: into the slope"),
-                          number("angular_standard_deviation", &J::angular_standard_deviation, Dimension::angle,
-                                 any_number(), "angular standard deviation of the sampled poles"),
-                          section("planar_sliding", &J::planar_sliding, "sliding on one plane of the set"),
-                          section("flexural_toppling", &J::flexural_toppling, "flexural toppling of its layers"),
-                          section("toppling_base", &J::toppling_base, "base of direct toppling, at the mean"),
-                          number("toppling_base_share", &J::toppling_base_share, Dimension::ratio, any_number(),
-                                 "share of the sampled planes that can be a base of direct toppling"),
-                          section("measured", &J::measured, "statistics of its measured poles")};
+        return std::tuple{
+            section<&J::name>("name of the set"),
+            section<&J::mean>("mean orientation"),
+            number<&J::apparent_dip>(Dimension::angle,
+                                     "dip of the mean in the section across the face; negative: into the slope"),
+            number<&J::angular_standard_deviation>(Dimension::angle, "angular standard deviation of the sampled poles"),
+            section<&J::planar_sliding>("sliding on one plane of the set"),
+            section<&J::flexural_toppling>("flexural toppling of its layers"),
+            section<&J::toppling_base>("base of direct toppling, at the mean"),
+            number<&J::toppling_base_share>("share of the sampled planes that can be a base of direct toppling"),
+            section<&J::measured>("statistics of its measured poles")};
     }
 };
 
@@ -100,20 +98,19 @@ struct PairFeasibility {
     double direct_toppling_share;
     std::string toppling_base;  // the set whose mean can be a base, the flattest if several; empty: none
     static constexpr auto fields() {
-        using P = PairFeasibility;
         return std::tuple{
-            section("first", &P::first, "first set"),
-            section("second", &P::second, "second set"),
-            section("intersection", &P::intersection, "line of intersection of the mean planes"),
-            section("wedge_sliding", &P::wedge_sliding, "sliding of the wedge between both sets"),
-            section("wedge_contact", &P::wedge_contact, "planes that carry the wedge, at the mean"),
-            number(
-                "wedge_limiting_friction_angle", &P::wedge_limiting_friction_angle, Dimension::angle, any_number(),
+            section<&PairFeasibility::first>("first set"),
+            section<&PairFeasibility::second>("second set"),
+            section<&PairFeasibility::intersection>("line of intersection of the mean planes"),
+            section<&PairFeasibility::wedge_sliding>("sliding of the wedge between both sets"),
+            section<&PairFeasibility::wedge_contact>("planes that carry the wedge, at the mean"),
+            number<&PairFeasibility::wedge_limiting_friction_angle>(
+                Dimension::angle,
                 "friction angle at which the dry cohesionless mean wedge is in limiting equilibrium; 0: cannot slide"),
-            section("direct_toppling", &P::direct_toppling, "toppling of columns between both sets, at the mean"),
-            number("direct_toppling_share", &P::direct_toppling_share, Dimension::ratio, any_number(),
-                   "share of the samples in which columns and a base of another set go together"),
-            section("toppling_base", &P::toppling_base, "set of the base at the mean orientations; empty: none")};
+            section<&PairFeasibility::direct_toppling>("toppling of columns between both sets, at the mean"),
+            number<&PairFeasibility::direct_toppling_share>(
+                "share of the samples in which columns and a base of another set go together"),
+            section<&PairFeasibility::toppling_base>("set of the base at the mean orientations; empty: none")};
     }
 };
 
@@ -128,21 +125,17 @@ struct PoleCounts {
     double toppling_axis;
     double without_set;
     static constexpr auto fields() {
-        using P = PoleCounts;
         constexpr Interval any = any_number();
         return std::tuple{
-            number("count", &P::count, Dimension::ratio, any, "measured poles"),
-            number("planar_sliding", &P::planar_sliding, Dimension::ratio, any, "poles of planes that can slide"),
-            number("flexural_toppling", &P::flexural_toppling, Dimension::ratio, any,
-                   "poles of layers that can topple"),
-            number("toppling_base", &P::toppling_base, Dimension::ratio, any,
-                   "poles of planes that can be a base of direct toppling"),
-            number("intersections", &P::intersections, Dimension::ratio, any,
-                   "lines along which two of the planes meet, those of 1000 planes where there are more"),
-            number("wedge_sliding", &P::wedge_sliding, Dimension::ratio, any, "lines along which wedges can slide"),
-            number("toppling_axis", &P::toppling_axis, Dimension::ratio, any,
-                   "lines that can be the axis of toppling columns"),
-            number("without_set", &P::without_set, Dimension::ratio, any, "poles that belong to no set")};
+            number<&PoleCounts::count>(any, "measured poles"),
+            number<&PoleCounts::planar_sliding>(any, "poles of planes that can slide"),
+            number<&PoleCounts::flexural_toppling>(any, "poles of layers that can topple"),
+            number<&PoleCounts::toppling_base>(any, "poles of planes that can be a base of direct toppling"),
+            number<&PoleCounts::intersections>(
+                any, "lines along which two of the planes meet, those of 1000 planes where there are more"),
+            number<&PoleCounts::wedge_sliding>(any, "lines along which wedges can slide"),
+            number<&PoleCounts::toppling_axis>(any, "lines that can be the axis of toppling columns"),
+            number<&PoleCounts::without_set>(any, "poles that belong to no set")};
     }
 };
 
@@ -158,9 +151,8 @@ struct KinematicsResult {
     std::vector<double> information_criterion{};  // of PoleClusters, if sets were searched for
     static constexpr auto fields() {
         using R = KinematicsResult;
-        return std::tuple{section("joint_set", &R::joint_set, "every joint set"),
-                          section("pair", &R::pair, "every pair of joint sets"),
-                          section("poles", &R::poles, "all measured poles")};
+        return std::tuple{section<&R::joint_set>("every joint set"), section<&R::pair>("every pair of joint sets"),
+                          section<&R::poles>("all measured poles")};
     }
 };
 

@@ -22,9 +22,9 @@ struct Orientation {
     double dip;
     double dip_direction;
     static constexpr auto fields() {
-        return std::tuple{number("dip", &Orientation::dip, Dimension::angle, within(0, degrees(90)), "dip"),
-                          number("dip_direction", &Orientation::dip_direction, Dimension::angle,
-                                 within(0, degrees(360)), "azimuth of the dip, clockwise from north")};
+        return std::tuple{number<&Orientation::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
+                          number<&Orientation::dip_direction>(Dimension::angle, within(0, degrees(360)),
+                                                              "azimuth of the dip, clockwise from north")};
     }
 };
 
@@ -32,10 +32,10 @@ struct LineOrientation {
     double plunge;
     double trend;
     static constexpr auto fields() {
-        return std::tuple{number("plunge", &LineOrientation::plunge, Dimension::angle, within(0, degrees(90)),
-                                 "inclination below the horizontal"),
-                          number("trend", &LineOrientation::trend, Dimension::angle, within(0, degrees(360)),
-                                 "azimuth of the plunge, clockwise from north")};
+        return std::tuple{number<&LineOrientation::plunge>(Dimension::angle, within(0, degrees(90)),
+                                                           "inclination below the horizontal"),
+                          number<&LineOrientation::trend>(Dimension::angle, within(0, degrees(360)),
+                                                          "azimuth of the plunge, clockwise from north")};
     }
 };
 

@@ -18,19 +18,18 @@ struct SlopeOrientation {
     std::optional<Orientation> upper_surface;
     static constexpr auto fields() {
         using S = SlopeOrientation;
-        return std::tuple{
-            number("face_dip", &S::face_dip, Dimension::angle, left_open(0, degrees(90)), "dip of the face"),
-            number("face_dip_direction", &S::face_dip_direction, Dimension::angle, within(0, degrees(360)),
-                   "dip direction of the face, out of the slope"),
-            section("upper_surface", &S::upper_surface, "ground behind the crest; absent: level")};
+        return std::tuple{number<&S::face_dip>(Dimension::angle, left_open(0, degrees(90)), "dip of the face"),
+                          number<&S::face_dip_direction>(Dimension::angle, within(0, degrees(360)),
+                                                         "dip direction of the face, out of the slope"),
+                          section<&S::upper_surface>("ground behind the crest; absent: level")};
     }
 };
 
 struct JointFriction {
     double friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number("friction_angle", &JointFriction::friction_angle, Dimension::angle,
-                                 right_open(0, degrees(90)), "friction angle of every joint")};
+        return std::tuple{number<&JointFriction::friction_angle>(Dimension::angle, right_open(0, degrees(90)),
+                                                                 "friction angle of every joint")};
     }
 };
 
@@ -42,14 +41,15 @@ struct LateralLimit {
     double flexural_toppling;
     double direct_toppling;
     static constexpr auto fields() {
-        using L = LateralLimit;
         constexpr Interval range = within(0, degrees(90));
-        return std::tuple{number("planar_sliding", &L::planar_sliding, Dimension::angle, range,
-                                 "largest angle in plan between joint and face dip direction, sliding on a plane"),
-                          number("flexural_toppling", &L::flexural_toppling, Dimension::angle, range,
-                                 "largest angle in plan between joint and face strike, flexural toppling"),
-                          number("direct_toppling", &L::direct_toppling, Dimension::angle, range,
-                                 "largest angle in plan between block axis or base and face, direct toppling")};
+        return std::tuple{
+            number<&LateralLimit::planar_sliding>(
+                Dimension::angle, range,
+                "largest angle in plan between joint and face dip direction, sliding on a plane"),
+            number<&LateralLimit::flexural_toppling>(
+                Dimension::angle, range, "largest angle in plan between joint and face strike, flexural toppling"),
+            number<&LateralLimit::direct_toppling>(
+                Dimension::angle, range, "largest angle in plan between block axis or base and face, direct toppling")};
     }
 };
 
@@ -59,11 +59,11 @@ struct Scanline {
     double trend;
     std::optional<double> least_angle;
     static constexpr auto fields() {
-        using S = Scanline;
-        return std::tuple{number("plunge", &S::plunge, Dimension::angle, within(0, degrees(90)), "plunge of the line"),
-                          number("trend", &S::trend, Dimension::angle, within(0, degrees(360)), "trend of the line"),
-                          number("least_angle", &S::least_angle, Dimension::angle, left_open(0, degrees(90)),
-                                 "angle to the line below which a plane weighs no more; absent: 15 deg")};
+        return std::tuple{
+            number<&Scanline::plunge>(Dimension::angle, within(0, degrees(90)), "plunge of the line"),
+            number<&Scanline::trend>(Dimension::angle, within(0, degrees(360)), "trend of the line"),
+            number<&Scanline::least_angle>(Dimension::angle, left_open(0, degrees(90)),
+                                           "angle to the line below which a plane weighs no more; absent: 15 deg")};
     }
 };
 
@@ -72,21 +72,18 @@ struct PoleSurvey {
     std::vector<Orientation> plane;
     std::optional<Scanline> scanline;
     static constexpr auto fields() {
-        using P = PoleSurvey;
-        return std::tuple{
-            section("file", &P::file,
-                    "CSV file beside the case with columns dip and dip_direction, trend and plunge of the "
-                    "poles, or strike (right-hand rule) and dip; absent: planes are given here"),
-            section("plane", &P::plane, "a measured plane"),
-            section("scanline", &P::scanline, "line along which planes were counted; absent: no weights")};
+        return std::tuple{section<&PoleSurvey::file>(
+                              "CSV file beside the case with columns dip and dip_direction, trend and plunge of the "
+                              "poles, or strike (right-hand rule) and dip; absent: planes are given here"),
+                          section<&PoleSurvey::plane>("a measured plane"),
+                          section<&PoleSurvey::scanline>("line along which planes were counted; absent: no weights")};
     }
 };
 
 struct SetSearch {
     double most_sets;
     static constexpr auto fields() {
-        return std::tuple{number("most_sets", &SetSearch::most_sets, Dimension::ratio, within(1, 12),
-                                 "largest number of sets tried, a whole number")};
+        return std::tuple{number<&SetSearch::most_sets>(within(1, 12), "largest number of sets tried, a whole number")};
     }
 };
 
@@ -101,13 +98,12 @@ struct Kinematics {
     static constexpr std::string_view kind = "kinematics";
     static constexpr auto fields() {
         using K = Kinematics;
-        return std::tuple{
-            section("slope", &K::slope, "the face"),
-            section("strength", &K::strength, "joint strength"),
-            section("lateral_limit", &K::lateral_limit, "limits in plan"),
-            section("joint_set", &K::joint_set, "the joint sets; absent, where there are poles: those found in them"),
-            section("poles", &K::poles, "measured planes"),
-            section("set_search", &K::set_search, "how sets are found in poles; absent: up to 8")};
+        return std::tuple{section<&K::slope>("the face"),
+                          section<&K::strength>("joint strength"),
+                          section<&K::lateral_limit>("limits in plan"),
+                          section<&K::joint_set>("the joint sets; absent, where there are poles: those found in them"),
+                          section<&K::poles>("measured planes"),
+                          section<&K::set_search>("how sets are found in poles; absent: up to 8")};
     }
 };
 
@@ -121,10 +117,9 @@ struct OrientationSampling {
 
     static constexpr auto fields() {
         using S = OrientationSampling;
-        return std::tuple{number("sample_count", &S::sample_count, Dimension::ratio, within(1, 1e6),
-                                 "orientations drawn from each set, a whole number; absent: 4000"),
-                          number("seed", &S::seed, Dimension::ratio, within(0, 9007199254740992.0),
-                                 "seed of the samples, a whole number; absent: 1967")};
+        return std::tuple{
+            number<&S::sample_count>(within(1, 1e6), "orientations drawn from each set, a whole number; absent: 4000"),
+            number<&S::seed>(within(0, 9007199254740992.0), "seed of the samples, a whole number; absent: 1967")};
     }
 };
 
@@ -134,9 +129,8 @@ struct KinematicsStudy {
 
     static constexpr std::string_view kind = "kinematics";
     static constexpr auto fields() {
-        using S = KinematicsStudy;
-        return std::tuple{inlined(&S::model, "face and joint sets"),
-                          section("sampling", &S::sampling, "sampling of the sets; absent: its defaults")};
+        return std::tuple{inlined(&KinematicsStudy::model, "face and joint sets"),
+                          section<&KinematicsStudy::sampling>("sampling of the sets; absent: its defaults")};
     }
 };
 

@@ -36,22 +36,19 @@ struct FisherStatistics {
                               // (20^(1 / (N - 1)) - 1)
     double variability_cone;  // 68 %: half-angle about the mean that contains that share of the poles
     static constexpr auto fields() {
-        using F = FisherStatistics;
         constexpr Interval any = any_number();
         return std::tuple{
-            number("mean_dip", &F::mean_dip, Dimension::angle, any, "dip of the mean plane"),
-            number("mean_dip_direction", &F::mean_dip_direction, Dimension::angle, any,
-                   "dip direction of the mean plane"),
-            number("count", &F::count, Dimension::ratio, any, "number of poles"),
-            number("resultant", &F::resultant, Dimension::ratio, any,
-                   "length R of the resultant of their unit vectors"),
-            number("concentration", &F::concentration, Dimension::ratio, any, "Fisher's K"),
-            number("lower_concentration", &F::lower_concentration, Dimension::ratio, any, "lower 95 % bound of K"),
-            number("upper_concentration", &F::upper_concentration, Dimension::ratio, any, "upper 95 % bound of K"),
-            number("confidence_cone", &F::confidence_cone, Dimension::angle, any,
-                   "half-angle of the cone that holds the true mean with 95 %"),
-            number("variability_cone", &F::variability_cone, Dimension::angle, any,
-                   "half-angle of the cone about the mean that holds 68 % of the poles")};
+            number<&FisherStatistics::mean_dip>(Dimension::angle, any, "dip of the mean plane"),
+            number<&FisherStatistics::mean_dip_direction>(Dimension::angle, any, "dip direction of the mean plane"),
+            number<&FisherStatistics::count>(any, "number of poles"),
+            number<&FisherStatistics::resultant>(any, "length R of the resultant of their unit vectors"),
+            number<&FisherStatistics::concentration>(any, "Fisher's K"),
+            number<&FisherStatistics::lower_concentration>(any, "lower 95 % bound of K"),
+            number<&FisherStatistics::upper_concentration>(any, "upper 95 % bound of K"),
+            number<&FisherStatistics::confidence_cone>(Dimension::angle, any,
+                                                       "half-angle of the cone that holds the true mean with 95 %"),
+            number<&FisherStatistics::variability_cone>(
+                Dimension::angle, any, "half-angle of the cone about the mean that holds 68 % of the poles")};
     }
 };
 

@@ -199,12 +199,12 @@ constexpr Field<Owner, Member> refers_to(NameOf what, Field<Owner, Member> field
 
 namespace detail {
 
-// An enumerator, as the compiler spells it in the name of this function; for a number without an enumerator it prints a
-// cast, in brackets.
-template <auto enumerator>
+// An enumerator or a member, as the compiler spells it in the name of this function; for a number without an enumerator
+// it prints a cast, in brackets.
+template <auto named>
 constexpr std::string_view spelling() {
     std::string_view name = __PRETTY_FUNCTION__;
-    name.remove_prefix(name.find("enumerator = ") + std::string_view("enumerator = ").size());
+    name.remove_prefix(name.find("named = ") + std::string_view("named = ").size());
     name = name.substr(0, name.find_first_of(";]"));
     return name.front() == '(' ? std::string_view() : name.substr(name.rfind(':') + 1);
 }
@@ -219,6 +219,31 @@ constexpr std::size_t enumerator_count() {
 }
 
 }  // namespace detail
+
+// Fields under the name that the member has in C++. Where no dimension is given it is a ratio, and where no range is
+// given any number is allowed.
+template <auto member>
+constexpr auto number(Dimension dimension, Interval range, std::string_view meaning) {
+    constexpr std::string_view key = detail::spelling<member>();
+    return number(key, member, dimension, range, meaning);
+}
+template <auto member>
+constexpr auto number(Dimension dimension, std::string_view meaning) {
+    return number<member>(dimension, any_number(), meaning);
+}
+template <auto member>
+constexpr auto number(Interval range, std::string_view meaning) {
+    return number<member>(Dimension::ratio, range, meaning);
+}
+template <auto member>
+constexpr auto number(std::string_view meaning) {
+    return number<member>(Dimension::ratio, any_number(), meaning);
+}
+template <auto member>
+constexpr auto section(std::string_view meaning) {
+    constexpr std::string_view key = detail::spelling<member>();
+    return section(key, member, meaning);
+}
 
 // The words for the values of an enum: its enumerators, counted from 0 without a gap. An enum with other words has a
 // function of this name beside it.

@@ -22,10 +22,9 @@ struct Bench {
     T width;
     T dip;
     static constexpr auto fields() {
-        return std::tuple{
-            number("width", &Bench::width, Dimension::length, extent_range(), "horizontal width from the crest"),
-            number("dip", &Bench::dip, Dimension::angle, within(degrees(-60), degrees(89)),
-                   "inclination, positive rising into the slope")};
+        return std::tuple{number<&Bench::width>(Dimension::length, extent_range(), "horizontal width from the crest"),
+                          number<&Bench::dip>(Dimension::angle, within(degrees(-60), degrees(89)),
+                                              "inclination, positive rising into the slope")};
     }
 };
 
@@ -38,14 +37,14 @@ struct SlopeSection {
     std::optional<T> toe_elevation;
     static constexpr auto fields() {
         return std::tuple{
-            number("height", &SlopeSection::height, Dimension::length, extent_range(), "vertical height, toe to crest"),
-            number("face_dip", &SlopeSection::face_dip, Dimension::angle, left_open(0, degrees(90)), "dip of the face"),
-            number("upper_surface_dip", &SlopeSection::upper_surface_dip, Dimension::angle,
-                   within(degrees(-60), degrees(89)),
-                   "inclination of the ground behind the crest (behind the bench, if there is one), positive rising"),
-            section("bench", &SlopeSection::bench, "bench between crest and upper surface; absent: none"),
-            number("toe_elevation", &SlopeSection::toe_elevation, Dimension::length, position_range(),
-                   "elevation of the toe; needed only where elevations are given")};
+            number<&SlopeSection::height>(Dimension::length, extent_range(), "vertical height, toe to crest"),
+            number<&SlopeSection::face_dip>(Dimension::angle, left_open(0, degrees(90)), "dip of the face"),
+            number<&SlopeSection::upper_surface_dip>(
+                Dimension::angle, within(degrees(-60), degrees(89)),
+                "inclination of the ground behind the crest (behind the bench, if there is one), positive rising"),
+            section<&SlopeSection::bench>("bench between crest and upper surface; absent: none"),
+            number<&SlopeSection::toe_elevation>(Dimension::length, position_range(),
+                                                 "elevation of the toe; needed only where elevations are given")};
     }
 };
 
@@ -55,9 +54,10 @@ struct FailurePlane {
     std::optional<T> daylight_height;
     static constexpr auto fields() {
         return std::tuple{
-            number("dip", &FailurePlane::dip, Dimension::angle, between(0, degrees(90)), "dip of the failure plane"),
-            number("daylight_height", &FailurePlane::daylight_height, Dimension::length, distance_range(),
-                   "height above the toe at which the plane meets the face; absent: at the toe")};
+            number<&FailurePlane::dip>(Dimension::angle, between(0, degrees(90)), "dip of the failure plane"),
+            number<&FailurePlane::daylight_height>(
+                Dimension::length, distance_range(),
+                "height above the toe at which the plane meets the face; absent: at the toe")};
     }
 };
 
@@ -65,9 +65,8 @@ template <class T = double>
 struct CrackAtDistance {
     T distance_behind_crest;
     static constexpr auto fields() {
-        return std::tuple{number("distance_behind_crest", &CrackAtDistance::distance_behind_crest, Dimension::length,
-                                 position_range(),
-                                 "horizontal distance from crest to crack top; negative in the face")};
+        return std::tuple{number<&CrackAtDistance::distance_behind_crest>(
+            Dimension::length, position_range(), "horizontal distance from crest to crack top; negative in the face")};
     }
 };
 
@@ -75,8 +74,8 @@ template <class T = double>
 struct CrackOfDepth {
     T depth;
     static constexpr auto fields() {
-        return std::tuple{number("depth", &CrackOfDepth::depth, Dimension::length, distance_range(),
-                                 "vertical depth of a crack whose top lies behind the crest")};
+        return std::tuple{number<&CrackOfDepth::depth>(Dimension::length, distance_range(),
+                                                       "vertical depth of a crack whose top lies behind the crest")};
     }
 };
 
@@ -85,9 +84,8 @@ template <class T = double>
 struct CrackBaseBelowCrest {
     T base_below_crest;
     static constexpr auto fields() {
-        return std::tuple{number("base_below_crest", &CrackBaseBelowCrest::base_below_crest, Dimension::length,
-                                 position_range(),
-                                 "vertical distance from crest level down to the bottom of the crack")};
+        return std::tuple{number<&CrackBaseBelowCrest::base_below_crest>(
+            Dimension::length, position_range(), "vertical distance from crest level down to the bottom of the crack")};
     }
 };
 
@@ -95,9 +93,9 @@ template <class T = double>
 struct CrackBaseElevation {
     T base_elevation;
     static constexpr auto fields() {
-        return std::tuple{number("base_elevation", &CrackBaseElevation::base_elevation, Dimension::length,
-                                 position_range(),
-                                 "elevation of the bottom of the crack, in the datum of slope.toe_elevation")};
+        return std::tuple{number<&CrackBaseElevation::base_elevation>(
+            Dimension::length, position_range(),
+            "elevation of the bottom of the crack, in the datum of slope.toe_elevation")};
     }
 };
 
@@ -109,9 +107,10 @@ struct TensionCrack {
     T dip;
     CrackPosition<T> position;
     static constexpr auto fields() {
-        return std::tuple{number("dip", &TensionCrack::dip, Dimension::angle, between(0, degrees(150)),
-                                 "dip of the crack, 90 deg vertical, below 90 deg dipping like the plane"),
-                          inlined(&TensionCrack::position, "where the crack is")};
+        return std::tuple{
+            number<&TensionCrack::dip>(Dimension::angle, between(0, degrees(150)),
+                                       "dip of the crack, 90 deg vertical, below 90 deg dipping like the plane"),
+            inlined(&TensionCrack::position, "where the crack is")};
     }
 };
 
@@ -119,8 +118,8 @@ template <class T = double>
 struct Rock {
     T unit_weight;
     static constexpr auto fields() {
-        return std::tuple{number("unit_weight", &Rock::unit_weight, Dimension::unit_weight, more_than(0),
-                                 "unit weight of the rock mass")};
+        return std::tuple{
+            number<&Rock::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of the rock mass")};
     }
 };
 
@@ -128,8 +127,8 @@ template <class T = double>
 struct TensionCutoff {
     T tensile_strength;
     static constexpr auto fields() {
-        return std::tuple{number("tensile_strength", &TensionCutoff::tensile_strength, Dimension::stress, at_least(0),
-                                 "normal tension beyond which the plane has no shear strength")};
+        return std::tuple{number<&TensionCutoff::tensile_strength>(
+            Dimension::stress, at_least(0), "normal tension beyond which the plane has no shear strength")};
     }
 };
 
@@ -138,10 +137,10 @@ struct SeismicLoad {
     T horizontal_coefficient;
     T vertical_coefficient;
     static constexpr auto fields() {
-        return std::tuple{number("horizontal_coefficient", &SeismicLoad::horizontal_coefficient, Dimension::ratio,
-                                 within(-5, 5), "inertia force over weight, positive out of the slope"),
-                          number("vertical_coefficient", &SeismicLoad::vertical_coefficient, Dimension::ratio,
-                                 within(-5, 5), "inertia force over weight, positive downwards")};
+        return std::tuple{
+            number<&SeismicLoad::horizontal_coefficient>(within(-5, 5),
+                                                         "inertia force over weight, positive out of the slope"),
+            number<&SeismicLoad::vertical_coefficient>(within(-5, 5), "inertia force over weight, positive downwards")};
     }
 };
 
@@ -152,12 +151,12 @@ struct Surcharge {
     T from_distance;
     T to_distance;
     static constexpr auto fields() {
-        return std::tuple{number("pressure", &Surcharge::pressure, Dimension::stress, any_number(),
-                                 "vertical force per horizontal area, positive downwards"),
-                          number("from_distance", &Surcharge::from_distance, Dimension::length, distance_range(),
-                                 "horizontal distance behind the crest where it begins"),
-                          number("to_distance", &Surcharge::to_distance, Dimension::length, distance_range(),
-                                 "horizontal distance behind the crest where it ends")};
+        return std::tuple{
+            number<&Surcharge::pressure>(Dimension::stress, "vertical force per horizontal area, positive downwards"),
+            number<&Surcharge::from_distance>(Dimension::length, distance_range(),
+                                              "horizontal distance behind the crest where it begins"),
+            number<&Surcharge::to_distance>(Dimension::length, distance_range(),
+                                            "horizontal distance behind the crest where it ends")};
     }
 };
 
@@ -168,18 +167,19 @@ struct LineLoad {
     T plunge;
     T distance_behind_crest;
     static constexpr auto fields() {
-        return std::tuple{number("force", &LineLoad::force, Dimension::force_per_length, at_least(0), "force"),
-                          number("plunge", &LineLoad::plunge, Dimension::angle, within(degrees(-90), degrees(270)),
-                                 "direction below the horizontal, measured from into-the-slope; 90 deg is vertical"),
-                          number("distance_behind_crest", &LineLoad::distance_behind_crest, Dimension::length,
-                                 distance_range(), "horizontal distance behind the crest")};
+        return std::tuple{number<&LineLoad::force>(Dimension::force_per_length, at_least(0), "force"),
+                          number<&LineLoad::plunge>(
+                              Dimension::angle, within(degrees(-90), degrees(270)),
+                              "direction below the horizontal, measured from into-the-slope; 90 deg is vertical"),
+                          number<&LineLoad::distance_behind_crest>(Dimension::length, distance_range(),
+                                                                   "horizontal distance behind the crest")};
     }
 };
 
 template <class Bolts>
 constexpr auto bolt_action_field() {
-    return section("action", &Bolts::action,
-                   "active: tensioned, reduces the driving force; passive: mobilised by movement, adds to resistance");
+    return section<&Bolts::action>(
+        "active: tensioned, reduces the driving force; passive: mobilised by movement, adds to resistance");
 }
 
 template <class T = double>
@@ -189,12 +189,13 @@ struct Bolt {
     T head_height;
     BoltAction action;
     static constexpr auto fields() {
-        return std::tuple{number("force", &Bolt::force, Dimension::force_per_length, at_least(0), "tension"),
-                          number("plunge", &Bolt::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
-                                 "direction below the horizontal, into the slope; negative: inclined upwards"),
-                          number("head_height", &Bolt::head_height, Dimension::length, distance_range(),
-                                 "height of its head on the face above the toe (used by the moment check)"),
-                          bolt_action_field<Bolt>()};
+        return std::tuple{
+            number<&Bolt::force>(Dimension::force_per_length, at_least(0), "tension"),
+            number<&Bolt::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
+                                  "direction below the horizontal, into the slope; negative: inclined upwards"),
+            number<&Bolt::head_height>(Dimension::length, distance_range(),
+                                       "height of its head on the face above the toe (used by the moment check)"),
+            bolt_action_field<Bolt>()};
     }
 };
 
@@ -226,21 +227,20 @@ struct PlaneFailure {
 
     static constexpr std::string_view kind = "plane_failure";
     static constexpr auto fields() {
-        return std::tuple{
-            section("slope", &PlaneFailure::slope, "the ground surface"),
-            section("failure_plane", &PlaneFailure::failure_plane, "the surface on which the mass slides"),
-            section("tension_crack", &PlaneFailure::tension_crack, "crack that cuts the mass off; absent: none"),
-            section("rock", &PlaneFailure::rock, "the rock mass"),
-            section("strength", &PlaneFailure::strength, "shear strength of the failure plane"),
-            section("tension_cutoff", &PlaneFailure::tension_cutoff,
-                    "limit on tension across the plane; absent: the strength law is used as it stands"),
-            section("water", &PlaneFailure::water, "water pressure in the crack and on the plane"),
-            section("pond", &PlaneFailure::pond, "standing water in front of the face; absent: none"),
-            section("seismic", &PlaneFailure::seismic, "pseudo-static earthquake load; absent: none"),
-            section("surcharge", &PlaneFailure::surcharge, "strip loads behind the crest"),
-            section("line_load", &PlaneFailure::line_load, "line loads behind the crest"),
-            section("bolt", &PlaneFailure::bolt, "bolts and cables through the plane"),
-            section("support", &PlaneFailure::support, "patterns of bolts: rows, spacing, length, capacity")};
+        return std::tuple{section<&PlaneFailure::slope>("the ground surface"),
+                          section<&PlaneFailure::failure_plane>("the surface on which the mass slides"),
+                          section<&PlaneFailure::tension_crack>("crack that cuts the mass off; absent: none"),
+                          section<&PlaneFailure::rock>("the rock mass"),
+                          section<&PlaneFailure::strength>("shear strength of the failure plane"),
+                          section<&PlaneFailure::tension_cutoff>(
+                              "limit on tension across the plane; absent: the strength law is used as it stands"),
+                          section<&PlaneFailure::water>("water pressure in the crack and on the plane"),
+                          section<&PlaneFailure::pond>("standing water in front of the face; absent: none"),
+                          section<&PlaneFailure::seismic>("pseudo-static earthquake load; absent: none"),
+                          section<&PlaneFailure::surcharge>("strip loads behind the crest"),
+                          section<&PlaneFailure::line_load>("line loads behind the crest"),
+                          section<&PlaneFailure::bolt>("bolts and cables through the plane"),
+                          section<&PlaneFailure::support>("patterns of bolts: rows, spacing, length, capacity")};
     }
 };
 

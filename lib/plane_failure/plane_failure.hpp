@@ -63,8 +63,8 @@ struct PlaneFailureResult {
         using D = Dimension;
         constexpr Interval any = any_number();
         return std::tuple{
-            section("outcome", &R::outcome, "what the slope does"),
-            section("crack_location", &R::crack_location, "which surface the crack opens in"),
+            section<&R::outcome>("what the slope does"),
+            section<&R::crack_location>("which surface the crack opens in"),
             number("factor_of_safety", &R::factor_of_safety, D::ratio, any, "factor of safety against sliding"),
             number("friction_margin", &R::friction_margin, D::angle, any,
                    "by how much the angle of the resisting force to the normal force exceeds that of the driving "

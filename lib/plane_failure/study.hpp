@@ -24,12 +24,13 @@ struct CriticalSearch {
     std::optional<T> lower_dip;
     std::optional<T> upper_dip;
     static constexpr auto fields() {
-        return std::tuple{section("find", &CriticalSearch::find, "what is searched for"),
-                          section("under", &CriticalSearch::under, "water while the search is made"),
-                          number("lower_dip", &CriticalSearch::lower_dip, Dimension::angle, within(0, degrees(90)),
-                                 "flattest failure plane considered; absent: the flattest possible"),
-                          number("upper_dip", &CriticalSearch::upper_dip, Dimension::angle, within(0, degrees(90)),
-                                 "steepest failure plane considered; absent: the face")};
+        return std::tuple{
+            section<&CriticalSearch::find>("what is searched for"),
+            section<&CriticalSearch::under>("water while the search is made"),
+            number<&CriticalSearch::lower_dip>(Dimension::angle, within(0, degrees(90)),
+                                               "flattest failure plane considered; absent: the flattest possible"),
+            number<&CriticalSearch::upper_dip>(Dimension::angle, within(0, degrees(90)),
+                                               "steepest failure plane considered; absent: the face")};
     }
 };
 
@@ -41,11 +42,9 @@ struct RequiredValue {
     std::vector<std::string> also;
     static constexpr auto fields() {
         return std::tuple{
-            section("parameter", &RequiredValue::parameter, "name of the input, e.g. strength.friction_angle"),
-            section("also", &RequiredValue::also,
-                    "further inputs that take the same value: several cables solved together"),
-            number("factor_of_safety", &RequiredValue::factor_of_safety, Dimension::ratio, more_than(0),
-                   "factor of safety to reach")};
+            section<&RequiredValue::parameter>("name of the input, e.g. strength.friction_angle"),
+            section<&RequiredValue::also>("further inputs that take the same value: several cables solved together"),
+            number<&RequiredValue::factor_of_safety>(more_than(0), "factor of safety to reach")};
     }
 };
 
@@ -58,8 +57,8 @@ struct PlaneFailureStudy {
     static constexpr std::string_view kind = "plane_failure";
     static constexpr auto fields() {
         return std::tuple{inlined(&PlaneFailureStudy::model, "the slope and its failure plane"),
-                          section("critical", &PlaneFailureStudy::critical, "search for the least stable geometry"),
-                          section("required", &PlaneFailureStudy::required, "inputs solved for")};
+                          section<&PlaneFailureStudy::critical>("search for the least stable geometry"),
+                          section<&PlaneFailureStudy::required>("inputs solved for")};
     }
 };
 

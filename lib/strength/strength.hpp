@@ -21,9 +21,9 @@ struct Coulomb {
 
     static constexpr std::string_view kind = "coulomb";
     static constexpr auto fields() {
-        return std::tuple{number("cohesion", &Coulomb::cohesion, Dimension::stress, at_least(0), "apparent cohesion"),
-                          number("friction_angle", &Coulomb::friction_angle, Dimension::angle, within(0, degrees(89.9)),
-                                 "angle of friction")};
+        return std::tuple{
+            number<&Coulomb::cohesion>(Dimension::stress, at_least(0), "apparent cohesion"),
+            number<&Coulomb::friction_angle>(Dimension::angle, within(0, degrees(89.9)), "angle of friction")};
     }
 };
 
@@ -37,12 +37,13 @@ struct SteppedSurface {
     static constexpr std::string_view kind = "stepped_surface";
     static constexpr auto fields() {
         return std::tuple{
-            number("cohesion", &SteppedSurface::cohesion, Dimension::stress, at_least(0), "apparent cohesion"),
-            number("friction_angle", &SteppedSurface::friction_angle, Dimension::angle, within(0, degrees(89.9)),
-                   "angle of friction of the steps themselves"),
-            number("roughness_angle", &SteppedSurface::roughness_angle, Dimension::angle, within(0, degrees(89.9)),
-                   "angle i between the steps and the mean plane; friction_angle + roughness_angle must stay below 90 "
-                   "deg")};
+            number<&SteppedSurface::cohesion>(Dimension::stress, at_least(0), "apparent cohesion"),
+            number<&SteppedSurface::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+                                                    "angle of friction of the steps themselves"),
+            number<&SteppedSurface::roughness_angle>(
+                Dimension::angle, within(0, degrees(89.9)),
+                "angle i between the steps and the mean plane; friction_angle + roughness_angle must stay below 90 "
+                "deg")};
     }
 };
 
@@ -56,13 +57,13 @@ struct PattonBilinear {
 
     static constexpr std::string_view kind = "patton_bilinear";
     static constexpr auto fields() {
-        return std::tuple{
-            number("friction_angle", &PattonBilinear::friction_angle, Dimension::angle, within(0, degrees(89.9)),
-                   "angle of friction once asperities are sheared"),
-            number("roughness_angle", &PattonBilinear::roughness_angle, Dimension::angle, within(0, degrees(89.9)),
-                   "asperity angle i; friction_angle + roughness_angle must stay below 90 deg"),
-            number("transition_stress", &PattonBilinear::transition_stress, Dimension::stress, at_least(0),
-                   "normal stress at which asperities shear")};
+        return std::tuple{number<&PattonBilinear::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+                                                                  "angle of friction once asperities are sheared"),
+                          number<&PattonBilinear::roughness_angle>(
+                              Dimension::angle, within(0, degrees(89.9)),
+                              "asperity angle i; friction_angle + roughness_angle must stay below 90 deg"),
+                          number<&PattonBilinear::transition_stress>(Dimension::stress, at_least(0),
+                                                                     "normal stress at which asperities shear")};
     }
 };
 
@@ -76,12 +77,12 @@ struct BartonBandis {
 
     static constexpr std::string_view kind = "barton_bandis";
     static constexpr auto fields() {
-        return std::tuple{number("residual_friction_angle", &BartonBandis::residual_friction_angle, Dimension::angle,
-                                 within(0, degrees(70)), "residual angle of friction"),
-                          number("joint_roughness_coefficient", &BartonBandis::joint_roughness_coefficient,
-                                 Dimension::ratio, within(0, 20), "JRC at the scale of the surface"),
-                          number("joint_wall_strength", &BartonBandis::joint_wall_strength, Dimension::stress,
-                                 more_than(0), "JCS at the scale of the surface")};
+        return std::tuple{
+            number<&BartonBandis::residual_friction_angle>(Dimension::angle, within(0, degrees(70)),
+                                                           "residual angle of friction"),
+            number<&BartonBandis::joint_roughness_coefficient>(within(0, 20), "JRC at the scale of the surface"),
+            number<&BartonBandis::joint_wall_strength>(Dimension::stress, more_than(0),
+                                                       "JCS at the scale of the surface")};
     }
 };
 
@@ -97,13 +98,12 @@ struct PowerCurve {
     static constexpr std::string_view kind = "power_curve";
     static constexpr auto fields() {
         return std::tuple{
-            number("coefficient", &PowerCurve::coefficient, Dimension::ratio, at_least(0), "multiplier a"),
-            number("exponent", &PowerCurve::exponent, Dimension::ratio, within(0.01, 1), "exponent b"),
-            number("reference_stress", &PowerCurve::reference_stress, Dimension::stress, more_than(0),
-                   "stress p by which stresses are divided before the power is taken"),
-            number("stress_offset", &PowerCurve::stress_offset, Dimension::stress, at_least(0),
-                   "stress d added to the normal stress"),
-            number("cohesion", &PowerCurve::cohesion, Dimension::stress, at_least(0), "cohesion added to the curve")};
+            number<&PowerCurve::coefficient>(at_least(0), "multiplier a"),
+            number<&PowerCurve::exponent>(within(0.01, 1), "exponent b"),
+            number<&PowerCurve::reference_stress>(Dimension::stress, more_than(0),
+                                                  "stress p by which stresses are divided before the power is taken"),
+            number<&PowerCurve::stress_offset>(Dimension::stress, at_least(0), "stress d added to the normal stress"),
+            number<&PowerCurve::cohesion>(Dimension::stress, at_least(0), "cohesion added to the curve")};
     }
 };
 

@@ -29,10 +29,10 @@ struct Grout {
     T bond_strength;
     T plate_capacity;
     static constexpr auto fields() {
-        return std::tuple{number("bond_strength", &Grout::bond_strength, Dimension::force_per_length, more_than(0),
-                                 "force that a metre of grouted bolt passes on to the rock"),
-                          number("plate_capacity", &Grout::plate_capacity, Dimension::force, at_least(0),
-                                 "force that the plate at the head bears")};
+        return std::tuple{
+            number<&Grout::bond_strength>(Dimension::force_per_length, more_than(0),
+                                          "force that a metre of grouted bolt passes on to the rock"),
+            number<&Grout::plate_capacity>(Dimension::force, at_least(0), "force that the plate at the head bears")};
     }
 };
 
@@ -47,18 +47,17 @@ struct BoltPattern {
     T capacity;
     std::optional<Grout<T>> grout;
     static constexpr auto fields() {
-        using P = BoltPattern;
         return std::tuple{
-            number("rows", &P::rows, Dimension::ratio, within(1, 1000), "number of rows, a whole one"),
-            number("lowest_height", &P::lowest_height, Dimension::length, distance_range(),
-                   "height of the lowest row's heads on the face above the toe"),
-            number("row_spacing", &P::row_spacing, Dimension::length, extent_range(), "vertical, from row to row"),
-            number("spacing", &P::spacing, Dimension::length, extent_range(), "along the slope, from bolt to bolt"),
-            number("length", &P::length, Dimension::length, extent_range(), "of a bolt, from its head to its end"),
-            number("plunge", &P::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
-                   "direction below the horizontal, into the slope; negative: inclined upwards"),
-            number("capacity", &P::capacity, Dimension::force, at_least(0), "tension that a bolt bears"),
-            section("grout", &P::grout, "along the whole bolt; absent: the bolt is anchored at its end alone")};
+            number<&BoltPattern::rows>(within(1, 1000), "number of rows, a whole one"),
+            number<&BoltPattern::lowest_height>(Dimension::length, distance_range(),
+                                                "height of the lowest row's heads on the face above the toe"),
+            number<&BoltPattern::row_spacing>(Dimension::length, extent_range(), "vertical, from row to row"),
+            number<&BoltPattern::spacing>(Dimension::length, extent_range(), "along the slope, from bolt to bolt"),
+            number<&BoltPattern::length>(Dimension::length, extent_range(), "of a bolt, from its head to its end"),
+            number<&BoltPattern::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
+                                         "direction below the horizontal, into the slope; negative: inclined upwards"),
+            number<&BoltPattern::capacity>(Dimension::force, at_least(0), "tension that a bolt bears"),
+            section<&BoltPattern::grout>("along the whole bolt; absent: the bolt is anchored at its end alone")};
     }
 
     // Rows are numbered from 0, the lowest.

@@ -26,12 +26,13 @@ struct TiltedColumn {
     static constexpr std::string_view kind = "tilted_column";
     static constexpr auto fields() {
         return std::tuple{
-            number("joint_dip", &TiltedColumn::joint_dip, Dimension::angle, between(0, degrees(90)),
-                   "dip of the joint that carries the water"),
-            number("saturated_tilt", &TiltedColumn::saturated_tilt, Dimension::angle, between(0, degrees(90)),
-                   "inclination of the resultant of weight and water to the vertical when the joint is full"),
-            number("filled_ratio", &TiltedColumn::filled_ratio, Dimension::ratio, within(0, 1),
-                   "depth of water over its depth when the joint is full, for the tilt asked")};
+            number<&TiltedColumn::joint_dip>(Dimension::angle, between(0, degrees(90)),
+                                             "dip of the joint that carries the water"),
+            number<&TiltedColumn::saturated_tilt>(
+                Dimension::angle, between(0, degrees(90)),
+                "inclination of the resultant of weight and water to the vertical when the joint is full"),
+            number<&TiltedColumn::filled_ratio>(
+                within(0, 1), "depth of water over its depth when the joint is full, for the tilt asked")};
     }
 };
 
@@ -40,10 +41,8 @@ struct ColumnTilt {
     double water_force_over_weight;  // U / W at that level
 
     static constexpr auto fields() {
-        return std::tuple{number("tilt", &ColumnTilt::tilt, Dimension::angle, any_number(),
-                                 "tilt of the resultant of weight and water"),
-                          number("water_force_over_weight", &ColumnTilt::water_force_over_weight, Dimension::ratio,
-                                 any_number(), "water force over weight of the column")};
+        return std::tuple{number<&ColumnTilt::tilt>(Dimension::angle, "tilt of the resultant of weight and water"),
+                          number<&ColumnTilt::water_force_over_weight>("water force over weight of the column")};
     }
 };
 

@@ -17,8 +17,8 @@ template <class T = double>
 struct WaterDepth {
     T water_depth;
     static constexpr auto fields() {
-        return std::tuple{number("water_depth", &WaterDepth::water_depth, Dimension::length, distance_range(),
-                                 "vertical depth of water above the lowest wetted point")};
+        return std::tuple{number<&WaterDepth::water_depth>(Dimension::length, distance_range(),
+                                                           "vertical depth of water above the lowest wetted point")};
     }
 };
 
@@ -26,8 +26,8 @@ template <class T = double>
 struct FilledRatio {
     T filled_ratio;
     static constexpr auto fields() {
-        return std::tuple{number("filled_ratio", &FilledRatio::filled_ratio, Dimension::ratio, within(0, 1),
-                                 "depth of water over the greatest possible depth")};
+        return std::tuple{
+            number<&FilledRatio::filled_ratio>(within(0, 1), "depth of water over the greatest possible depth")};
     }
 };
 
@@ -35,10 +35,10 @@ template <class T = double>
 struct WaterElevation {
     T water_elevation;
     static constexpr auto fields() {
-        return std::tuple{number("water_elevation", &WaterElevation::water_elevation, Dimension::length,
-                                 position_range(),
-                                 "elevation of the water surface in the datum of slope.toe_elevation; below the lowest "
-                                 "wetted point the form gives no pressure")};
+        return std::tuple{number<&WaterElevation::water_elevation>(
+            Dimension::length, position_range(),
+            "elevation of the water surface in the datum of slope.toe_elevation; below the lowest wetted point the "
+            "form gives no pressure")};
     }
 };
 
@@ -113,10 +113,9 @@ struct PiezometricPoint {
     T x;
     T y;
     static constexpr auto fields() {
-        return std::tuple{
-            number("x", &PiezometricPoint::x, Dimension::length, position_range(),
-                   "horizontal distance from the toe, into the slope"),
-            number("y", &PiezometricPoint::y, Dimension::length, position_range(), "height above the toe")};
+        return std::tuple{number<&PiezometricPoint::x>(Dimension::length, position_range(),
+                                                       "horizontal distance from the toe, into the slope"),
+                          number<&PiezometricPoint::y>(Dimension::length, position_range(), "height above the toe")};
     }
 };
 
@@ -129,7 +128,7 @@ struct PiezometricLineWater {
     static constexpr std::string_view kind = "piezometric_line";
     static constexpr auto fields() {
         return std::tuple{water_unit_weight_field(&PiezometricLineWater::unit_weight),
-                          section("point", &PiezometricLineWater::point, "points of the line, x increasing")};
+                          section<&PiezometricLineWater::point>("points of the line, x increasing")};
     }
 };
 
@@ -138,11 +137,10 @@ struct PressurePoint {
     T position;
     T pressure;
     static constexpr auto fields() {
-        return std::tuple{
-            number("position", &PressurePoint::position, Dimension::ratio, within(0, 1),
-                   "relative position: base 0 where it daylights to 1 at its upper end; crack 0 at its "
-                   "bottom to 1 at the ground"),
-            number("pressure", &PressurePoint::pressure, Dimension::stress, at_least(0), "water pressure")};
+        return std::tuple{number<&PressurePoint::position>(within(0, 1),
+                                                           "relative position: base 0 where it daylights to 1 at its "
+                                                           "upper end; crack 0 at its bottom to 1 at the ground"),
+                          number<&PressurePoint::pressure>(Dimension::stress, at_least(0), "water pressure")};
     }
 };
 
@@ -154,8 +152,8 @@ struct CustomWater {
     std::vector<PressurePoint<T>> base;
     static constexpr std::string_view kind = "custom";
     static constexpr auto fields() {
-        return std::tuple{section("crack", &CustomWater::crack, "pressures along the crack, position increasing"),
-                          section("base", &CustomWater::base, "pressures along the base, position increasing")};
+        return std::tuple{section<&CustomWater::crack>("pressures along the crack, position increasing"),
+                          section<&CustomWater::base>("pressures along the base, position increasing")};
     }
 };
 
@@ -173,8 +171,8 @@ struct Pond {
     T depth;
     T unit_weight;
     static constexpr auto fields() {
-        return std::tuple{number("depth", &Pond::depth, Dimension::length, distance_range(),
-                                 "depth of standing water above the toe, not above the crest"),
+        return std::tuple{number<&Pond::depth>(Dimension::length, distance_range(),
+                                               "depth of standing water above the toe, not above the crest"),
                           water_unit_weight_field(&Pond::unit_weight)};
     }
 };

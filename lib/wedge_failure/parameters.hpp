@@ -33,18 +33,17 @@ struct WedgeSlope {
     T upper_surface_dip_direction;
     static constexpr auto fields() {
         using S = WedgeSlope;
-        return std::tuple{
-            number("height", &S::height, Dimension::length, extent_range(),
-                   "vertical height from the point where the line of intersection comes out of the face to the point "
-                   "where plane 1 meets the crest"),
-            number("face_dip", &S::face_dip, Dimension::angle, between(0, degrees(180)),
-                   "dip of the face; above 90 deg it overhangs"),
-            number("face_dip_direction", &S::face_dip_direction, Dimension::angle, azimuth_range(),
-                   "dip direction of the face, out of the slope"),
-            number("upper_surface_dip", &S::upper_surface_dip, Dimension::angle, within(0, degrees(89)),
-                   "dip of the ground behind the crest"),
-            number("upper_surface_dip_direction", &S::upper_surface_dip_direction, Dimension::angle, azimuth_range(),
-                   "dip direction of the ground behind the crest")};
+        return std::tuple{number<&S::height>(Dimension::length, extent_range(),
+                                             "vertical height from the point where the line of intersection comes out "
+                                             "of the face to the point where plane 1 meets the crest"),
+                          number<&S::face_dip>(Dimension::angle, between(0, degrees(180)),
+                                               "dip of the face; above 90 deg it overhangs"),
+                          number<&S::face_dip_direction>(Dimension::angle, azimuth_range(),
+                                                         "dip direction of the face, out of the slope"),
+                          number<&S::upper_surface_dip>(Dimension::angle, within(0, degrees(89)),
+                                                        "dip of the ground behind the crest"),
+                          number<&S::upper_surface_dip_direction>(Dimension::angle, azimuth_range(),
+                                                                  "dip direction of the ground behind the crest")};
     }
 };
 
@@ -54,10 +53,10 @@ struct WedgePlane {
     T dip_direction;
     StrengthLaw<T> strength;
     static constexpr auto fields() {
-        return std::tuple{number("dip", &WedgePlane::dip, Dimension::angle, within(0, degrees(90)), "dip"),
-                          number("dip_direction", &WedgePlane::dip_direction, Dimension::angle, azimuth_range(),
-                                 "azimuth of the dip, clockwise from north"),
-                          section("strength", &WedgePlane::strength, "shear strength of the plane")};
+        return std::tuple{number<&WedgePlane::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
+                          number<&WedgePlane::dip_direction>(Dimension::angle, azimuth_range(),
+                                                             "azimuth of the dip, clockwise from north"),
+                          section<&WedgePlane::strength>("shear strength of the plane")};
     }
 };
 
@@ -67,11 +66,12 @@ struct WedgeCrack {
     T dip_direction;
     T distance;
     static constexpr auto fields() {
-        return std::tuple{number("dip", &WedgeCrack::dip, Dimension::angle, within(0, degrees(90)), "dip"),
-                          number("dip_direction", &WedgeCrack::dip_direction, Dimension::angle, azimuth_range(),
-                                 "azimuth of the dip, clockwise from north"),
-                          number("distance", &WedgeCrack::distance, Dimension::length, distance_range(),
-                                 "distance from the crest, measured along the trace of plane 1 on the upper surface")};
+        return std::tuple{number<&WedgeCrack::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
+                          number<&WedgeCrack::dip_direction>(Dimension::angle, azimuth_range(),
+                                                             "azimuth of the dip, clockwise from north"),
+                          number<&WedgeCrack::distance>(
+                              Dimension::length, distance_range(),
+                              "distance from the crest, measured along the trace of plane 1 on the upper surface")};
     }
 };
 
@@ -86,8 +86,8 @@ struct FilledFissures {
     static constexpr std::string_view kind = "filled_fissures";
     static constexpr auto fields() {
         return std::tuple{water_unit_weight_field(&FilledFissures::unit_weight),
-                          number("filled_ratio", &FilledFissures::filled_ratio, Dimension::ratio, within(0, 1),
-                                 "greatest pressure over that of fissures filled to the ground")};
+                          number<&FilledFissures::filled_ratio>(
+                              within(0, 1), "greatest pressure over that of fissures filled to the ground")};
     }
 };
 
@@ -99,11 +99,10 @@ struct MeanPressures {
     static constexpr std::string_view kind = "mean_pressures";
     static constexpr auto fields() {
         using P = MeanPressures;
-        return std::tuple{
-            number("plane_1", &P::plane_1, Dimension::stress, at_least(0), "mean water pressure on plane 1"),
-            number("plane_2", &P::plane_2, Dimension::stress, at_least(0), "mean water pressure on plane 2"),
-            number("tension_crack", &P::tension_crack, Dimension::stress, at_least(0),
-                   "mean water pressure on the tension crack; absent: 0")};
+        return std::tuple{number<&P::plane_1>(Dimension::stress, at_least(0), "mean water pressure on plane 1"),
+                          number<&P::plane_2>(Dimension::stress, at_least(0), "mean water pressure on plane 2"),
+                          number<&P::tension_crack>(Dimension::stress, at_least(0),
+                                                    "mean water pressure on the tension crack; absent: 0")};
     }
 };
 
@@ -117,12 +116,11 @@ struct WedgeSeismicLoad {
     std::optional<T> trend;
     static constexpr auto fields() {
         using S = WedgeSeismicLoad;
-        return std::tuple{
-            number("coefficient", &S::coefficient, Dimension::ratio, within(-5, 5), "inertia force over weight"),
-            number("plunge", &S::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
-                   "direction of the force below the horizontal; absent: level"),
-            number("trend", &S::trend, Dimension::angle, azimuth_range(),
-                   "azimuth of the force; absent: that of the line of intersection")};
+        return std::tuple{number<&S::coefficient>(within(-5, 5), "inertia force over weight"),
+                          number<&S::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
+                                             "direction of the force below the horizontal; absent: level"),
+                          number<&S::trend>(Dimension::angle, azimuth_range(),
+                                            "azimuth of the force; absent: that of the line of intersection")};
     }
 };
 
@@ -132,11 +130,11 @@ struct WedgeLoad {
     T plunge;
     T trend;
     static constexpr auto fields() {
-        return std::tuple{number("force", &WedgeLoad::force, Dimension::force, at_least(0), "force on the wedge"),
-                          number("plunge", &WedgeLoad::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
-                                 "direction of the force below the horizontal; negative: upwards"),
-                          number("trend", &WedgeLoad::trend, Dimension::angle, azimuth_range(),
-                                 "azimuth of the force, clockwise from north")};
+        return std::tuple{
+            number<&WedgeLoad::force>(Dimension::force, at_least(0), "force on the wedge"),
+            number<&WedgeLoad::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
+                                       "direction of the force below the horizontal; negative: upwards"),
+            number<&WedgeLoad::trend>(Dimension::angle, azimuth_range(), "azimuth of the force, clockwise from north")};
     }
 };
 
@@ -149,14 +147,13 @@ struct WedgeBolt {
     BoltAction action;
     static constexpr auto fields() {
         return std::tuple{
-            number("force", &WedgeBolt::force, Dimension::force, at_least(0), "tension"),
-            number("plunge", &WedgeBolt::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
-                   "direction below the horizontal, into the rock; negative: inclined upwards"),
-            number("trend", &WedgeBolt::trend, Dimension::angle, azimuth_range(),
-                   "azimuth of the direction into the rock, clockwise from north"),
-            section("action", &WedgeBolt::action,
-                    "active: tensioned, part of the driving forces; passive: mobilised by movement, adds to "
-                    "resistance")};
+            number<&WedgeBolt::force>(Dimension::force, at_least(0), "tension"),
+            number<&WedgeBolt::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
+                                       "direction below the horizontal, into the rock; negative: inclined upwards"),
+            number<&WedgeBolt::trend>(Dimension::angle, azimuth_range(),
+                                      "azimuth of the direction into the rock, clockwise from north"),
+            section<&WedgeBolt::action>(
+                "active: tensioned, part of the driving forces; passive: mobilised by movement, adds to resistance")};
     }
 };
 
@@ -174,18 +171,16 @@ struct WedgeFailure {
 
     static constexpr std::string_view kind = "wedge";
     static constexpr auto fields() {
-        using W = WedgeFailure;
-        return std::tuple{section("slope", &W::slope, "face and upper surface"),
-                          section("plane_1", &W::plane_1,
-                                  "the plane along whose trace heights and the crack's place "
-                                  "are measured"),
-                          section("plane_2", &W::plane_2, "the other plane"),
-                          section("tension_crack", &W::tension_crack, "crack that cuts the wedge off; absent: none"),
-                          section("rock", &W::rock, "the rock mass"),
-                          section("water", &W::water, "water pressure on the planes and in the crack"),
-                          section("seismic", &W::seismic, "pseudo-static earthquake load; absent: none"),
-                          section("load", &W::load, "forces on the wedge"),
-                          section("bolt", &W::bolt, "bolts and cables through the planes")};
+        return std::tuple{
+            section<&WedgeFailure::slope>("face and upper surface"),
+            section<&WedgeFailure::plane_1>("the plane along whose trace heights and the crack's place are measured"),
+            section<&WedgeFailure::plane_2>("the other plane"),
+            section<&WedgeFailure::tension_crack>("crack that cuts the wedge off; absent: none"),
+            section<&WedgeFailure::rock>("the rock mass"),
+            section<&WedgeFailure::water>("water pressure on the planes and in the crack"),
+            section<&WedgeFailure::seismic>("pseudo-static earthquake load; absent: none"),
+            section<&WedgeFailure::load>("forces on the wedge"),
+            section<&WedgeFailure::bolt>("bolts and cables through the planes")};
     }
 };
 
@@ -197,7 +192,7 @@ struct WedgeFailureStudy {
     static constexpr std::string_view kind = "wedge";
     static constexpr auto fields() {
         return std::tuple{inlined(&WedgeFailureStudy::model, "the slope and its wedge"),
-                          section("required", &WedgeFailureStudy::required, "inputs solved for")};
+                          section<&WedgeFailureStudy::required>("inputs solved for")};
     }
 };
 

@@ -45,7 +45,7 @@ struct WedgeFailureResult {
         using D = Dimension;
         constexpr Interval any = any_number();
         return std::tuple{
-            section("contact", &R::contact, "planes on which the wedge slides; none: it is lifted off both"),
+            section<&R::contact>("planes on which the wedge slides; none: it is lifted off both"),
             number("factor_of_safety", &R::factor_of_safety, D::ratio, any, "resisting over driving force"),
             number("line_plunge", &R::line_plunge, D::angle, any, "plunge of the line of intersection"),
             number("line_trend", &R::line_trend, D::angle, any, "trend of the line of intersection"),

@@ -48,17 +48,15 @@ struct Expectation {
     // A word has to be equal. Any other value has exactly one tolerance, unless it is unreachable.
     bool is_word() const;
     static constexpr auto fields() {
-        using E = Expectation;
-        return std::tuple{with_default(section("label", &E::label, "what is compared, in words")),
-                          section("quantity", &E::quantity, "name of an output of the model"),
-                          section("value", &E::value, "the value to compare with"),
-                          section("tolerance", &E::tolerance, "greatest difference that is met"),
-                          number("relative_tolerance", &E::relative_tolerance, Dimension::ratio, at_least(0),
-                                 "the same, of the value"),
-                          section("with", &E::conditions, "inputs that differ from the case's"),
-                          with_default(section("source", &E::source, "where the value comes from")),
-                          with_default(section("note", &E::note, "what a reader should know of it")),
-                          section("unreachable", &E::unreachable, "why the value cannot be reached")};
+        return std::tuple{with_default(section<&Expectation::label>("what is compared, in words")),
+                          section<&Expectation::quantity>("name of an output of the model"),
+                          section<&Expectation::value>("the value to compare with"),
+                          section<&Expectation::tolerance>("greatest difference that is met"),
+                          number<&Expectation::relative_tolerance>(at_least(0), "the same, of the value"),
+                          section("with", &Expectation::conditions, "inputs that differ from the case's"),
+                          with_default(section<&Expectation::source>("where the value comes from")),
+                          with_default(section<&Expectation::note>("what a reader should know of it")),
+                          section<&Expectation::unreachable>("why the value cannot be reached")};
     }
 };
 
@@ -76,8 +74,7 @@ struct CaseFit : FitTask {
 struct ReportSettings {
     UnitSystem units;
     static constexpr auto fields() {
-        return std::tuple{
-            section("units", &ReportSettings::units, "of sentences, tables and figures; CSV and JSON are metric")};
+        return std::tuple{section<&ReportSettings::units>("of sentences, tables and figures; CSV and JSON are metric")};
     }
 };
 

@@ -16,10 +16,8 @@ struct ExampleValue {
     double value;
     std::string unit;  // empty for a ratio
     static constexpr auto fields() {
-        using E = ExampleValue;
-        return std::tuple{section("key", &E::key, "the key"),
-                          number("value", &E::value, Dimension::ratio, any_number(), "a value"),
-                          with_default(section("unit", &E::unit, "its unit, of whose dimension the key is meant"))};
+        return std::tuple{section<&ExampleValue::key>("the key"), number<&ExampleValue::value>("a value"),
+                          with_default(section<&ExampleValue::unit>("its unit, of whose dimension the key is meant"))};
     }
 };
 

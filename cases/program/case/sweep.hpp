@@ -36,15 +36,14 @@ struct SweptInput {
         using I = SweptInput;
         constexpr Dimension named = Dimension::named;
         return std::tuple{
-            refers_to(NameOf::input,
-                      section("input", &I::input, "the input that varies, e.g. strength.friction_angle")),
-            refers_to(NameOf::input, section("also", &I::also, "further inputs that take the same value")),
+            refers_to(NameOf::input, section<&I::input>("the input that varies, e.g. strength.friction_angle")),
+            refers_to(NameOf::input, section<&I::also>("further inputs that take the same value")),
             number("from", &I::from, named, any_number(), "first value of the input"),
             number("to", &I::to, named, any_number(), "last value of the input"),
-            number("points", &I::points, Dimension::ratio, within(2, 10001), "number of its values; absent: 101"),
+            number<&I::points>(within(2, 10001), "number of its values; absent: 101"),
             number("values", &I::listed, named, any_number(), "its values, in place of from, to and points"),
-            with_default(section("axis", &I::axis, "title of its axis, with the unit")),
-            with_default(section("unit", &I::unit, "in which the axis counts"))};
+            with_default(section<&I::axis>("title of its axis, with the unit")),
+            with_default(section<&I::unit>("in which the axis counts"))};
     }
 };
 
@@ -57,11 +56,10 @@ struct SweepCurve {
     CurveDash dash = CurveDash::solid;
     std::vector<Condition> conditions;  // inputs that differ from the case's
     static constexpr auto fields() {
-        using C = SweepCurve;
-        return std::tuple{section("label", &C::label, "the curve in words"),
-                          with_default(section("output", &C::output, "name of an output of the model")),
-                          with_default(section("dash", &C::dash, "how it is drawn")),
-                          section("with", &C::conditions, "inputs that differ from the case's")};
+        return std::tuple{section<&SweepCurve::label>("the curve in words"),
+                          with_default(section<&SweepCurve::output>("name of an output of the model")),
+                          with_default(section<&SweepCurve::dash>("how it is drawn")),
+                          section("with", &SweepCurve::conditions, "inputs that differ from the case's")};
     }
 };
 
@@ -72,12 +70,10 @@ struct PrintedPoints {
     bool line = false;
     Polyline points;
     static constexpr auto fields() {
-        using P = PrintedPoints;
-        return std::tuple{section("label", &P::label, "what is printed, in words"),
-                          with_default(section("source", &P::source, "where it is printed")),
-                          with_default(section("line", &P::line, "whether the points stand for a curve")),
-                          number("points", &P::points, Dimension::ratio, any_number(),
-                                 "points in the units of the axes, [[x, y], ...]")};
+        return std::tuple{section<&PrintedPoints::label>("what is printed, in words"),
+                          with_default(section<&PrintedPoints::source>("where it is printed")),
+                          with_default(section<&PrintedPoints::line>("whether the points stand for a curve")),
+                          number<&PrintedPoints::points>("points in the units of the axes, [[x, y], ...]")};
     }
 };
 
@@ -90,13 +86,12 @@ struct CurveRemark {
     std::string note;
     std::optional<std::string> unreachable;  // why the remark cannot be met: then it is shown but does not fail
     static constexpr auto fields() {
-        using R = CurveRemark;
-        return std::tuple{section("label", &R::label, "what is compared, in words"),
-                          section("curve", &R::curve, "label of a curve"),
-                          with_default(section("other", &R::other, "label of the other curve")),
-                          with_default(section("source", &R::source, "where it is printed")),
-                          with_default(section("note", &R::note, "what a reader should know of it")),
-                          section("unreachable", &R::unreachable, "why what is printed cannot be reached")};
+        return std::tuple{section<&CurveRemark::label>("what is compared, in words"),
+                          section<&CurveRemark::curve>("label of a curve"),
+                          with_default(section<&CurveRemark::other>("label of the other curve")),
+                          with_default(section<&CurveRemark::source>("where it is printed")),
+                          with_default(section<&CurveRemark::note>("what a reader should know of it")),
+                          section<&CurveRemark::unreachable>("why what is printed cannot be reached")};
     }
 };
 
@@ -106,10 +101,9 @@ struct CurveCrossing : CurveRemark {
     std::optional<double> tolerance;  // needed for a printed value that can be reached
     static constexpr auto fields() {
         using C = CurveCrossing;
-        return std::tuple_cat(
-            CurveRemark::fields(),
-            std::tuple{number("printed", &C::printed, Dimension::named, any_number(), "where it is printed to be"),
-                       number("tolerance", &C::tolerance, Dimension::named, at_least(0), "of what is printed")});
+        return std::tuple_cat(CurveRemark::fields(),
+                              std::tuple{number<&C::printed>(Dimension::named, "where it is printed to be"),
+                                         number<&C::tolerance>(Dimension::named, at_least(0), "of what is printed")});
     }
 };
 
@@ -137,14 +131,13 @@ struct SweepInputs {
     std::vector<SweptInput> vary;  // the first is the axis; a second one gives a curve for each of its values, or a map
     std::optional<SweptInput> each;  // gives a figure for each of its values, and one of the crossings over them
     static constexpr auto fields() {
-        using S = SweepInputs;
-        return std::tuple{section("name", &S::name, "name of its files"),
-                          with_default(section("title", &S::title, "title of its figures")),
-                          with_default(section("caption", &S::caption, "caption of its figures")),
-                          with_default(section("output_axis", &S::output_axis, "title of the axis of outputs")),
-                          section("draw", &S::draw, "which figures are drawn"),
-                          section("vary", &S::vary, "the inputs that vary"),
-                          section("each", &S::each, "an input of which each value has a figure")};
+        return std::tuple{section<&SweepInputs::name>("name of its files"),
+                          with_default(section<&SweepInputs::title>("title of its figures")),
+                          with_default(section<&SweepInputs::caption>("caption of its figures")),
+                          with_default(section<&SweepInputs::output_axis>("title of the axis of outputs")),
+                          section<&SweepInputs::draw>("which figures are drawn"),
+                          section<&SweepInputs::vary>("the inputs that vary"),
+                          section<&SweepInputs::each>("an input of which each value has a figure")};
     }
 };
 
@@ -156,8 +149,7 @@ struct SweepCurves {
     Dimension dimension = Dimension::ratio;  // of the input along the axis
     static constexpr auto fields() {
         using C = SweepCurves;
-        return std::tuple{section("curve", &C::curves, "what is drawn"),
-                          section("printed", &C::printed, "what is printed of it"),
+        return std::tuple{section("curve", &C::curves, "what is drawn"), section<&C::printed>("what is printed of it"),
                           section("crossing", &C::crossings, "where two curves meet"),
                           section("statement", &C::statements, "what is stated of the curves")};
     }

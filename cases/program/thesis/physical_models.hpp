@@ -63,7 +63,7 @@ struct BaseFrictionState {
         using S = BaseFrictionState;
         using D = Dimension;
         return std::tuple{
-            section("test", &S::test, "number of the model, side of the table"),
+            section<&S::test>("number of the model, side of the table"),
             number("slope_angle", &S::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
             number("height_over_spacing", &S::height_over_spacing, D::ratio, more_than(0),
                    "height of the slope over the spacing of the joints"),
@@ -77,17 +77,17 @@ struct BaseFrictionState {
             number("crack_angle_from", &S::crack_angle_from, D::angle, detail::slope_angles,
                    "inclination of the critical crack path, its least; absent: none given"),
             number("crack_angle_to", &S::crack_angle_to, D::angle, detail::slope_angles, "its greatest"),
-            section("behaviour", &S::behaviour, "stable, in limiting equilibrium, unstable"),
-            section("foundation", &S::foundation, "what the slope stands on"),
-            section("toe", &S::toe, "change made at the toe"),
-            section("columns", &S::columns, "kind of columns"),
-            section("surroundings", &S::surroundings, "how near the steel frame is"),
+            section<&S::behaviour>("stable, in limiting equilibrium, unstable"),
+            section<&S::foundation>("what the slope stands on"),
+            section<&S::toe>("change made at the toe"),
+            section<&S::columns>("kind of columns"),
+            section<&S::surroundings>("how near the steel frame is"),
             number("slope_surface", &S::slope_surface, D::length, more_than(0),
                    "length of the ground behind the crest; absent: not printed"),
             number("base_columns", &S::base_columns, D::ratio, at_least(1),
                    "columns that form the bottom of the slope; absent: not printed"),
-            section("remark", &S::remark, "printed remark"),
-            section("doubt", &S::doubt, detail::doubt_meaning)};
+            section<&S::remark>("printed remark"),
+            section<&S::doubt>(detail::doubt_meaning)};
     }
 };
 
@@ -118,8 +118,8 @@ struct SlopeHeightVariation {
                    "inclination of the critical crack path, right slope"),
             number("left_crack_angle", &V::left_crack_angle, D::angle, detail::slope_angles,
                    "left slope; absent: not built"),
-            section("remark", &V::remark, "printed remark"),
-            section("doubt", &V::doubt, detail::doubt_meaning)};
+            section<&V::remark>("printed remark"),
+            section<&V::doubt>(detail::doubt_meaning)};
     }
 };
 
@@ -132,11 +132,11 @@ struct TiltingFrameAngle {
     std::string meaning;
     static constexpr auto fields() {
         using A = TiltingFrameAngle;
-        return std::tuple{delabole::section("key", &A::key, "its name here"),
-                          number("least", &A::least, Dimension::angle, within(0, degrees(90)), "least printed"),
-                          number("most", &A::most, Dimension::angle, within(0, degrees(90)), "greatest printed"),
-                          delabole::section("section", &A::section, "section of the thesis"),
-                          delabole::section("meaning", &A::meaning, "what it is")};
+        return std::tuple{delabole::section<&A::key>("its name here"),
+                          number<&A::least>(Dimension::angle, within(0, degrees(90)), "least printed"),
+                          number<&A::most>(Dimension::angle, within(0, degrees(90)), "greatest printed"),
+                          delabole::section<&A::section>("section of the thesis"),
+                          delabole::section<&A::meaning>("what it is")};
     }
 };
 
@@ -164,11 +164,11 @@ struct MechanismVerdict {
         using V = MechanismVerdict;
         using D = Dimension;
         return std::tuple{
-            section("plate", &V::plate, "plate, or the model told of beside it"),
-            section("mechanism", &V::mechanism, "mode of failure tried"),
-            section("profile", &V::profile, "post-failure profile reproduced"),
-            section("cracks", &V::cracks, "tension cracks at the crest reproduced"),
-            section("movements", &V::movements, "monitored movements of blocks at the top reproduced"),
+            section<&V::plate>("plate, or the model told of beside it"),
+            section<&V::mechanism>("mode of failure tried"),
+            section<&V::profile>("post-failure profile reproduced"),
+            section<&V::cracks>("tension cracks at the crest reproduced"),
+            section<&V::movements>("monitored movements of blocks at the top reproduced"),
             number("slope_angle", &V::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
             number("joint_a_dip", &V::joint_a_dip, D::angle, detail::slope_angles, "dip of joint set A, into the pit"),
             number("joint_a_spacing", &V::joint_a_spacing, D::length, more_than(0), "spacing of joint set A"),
@@ -182,8 +182,8 @@ struct MechanismVerdict {
             number("fault_dip", &V::fault_dip, D::angle, detail::slope_angles,
                    "dip of the fault, into the slope; absent: none"),
             number("fault_thickness", &V::fault_thickness, D::length, more_than(0), "thickness of its gouge"),
-            section("remark", &V::remark, "what happened"),
-            section("doubt", &V::doubt, detail::doubt_meaning)};
+            section<&V::remark>("what happened"),
+            section<&V::doubt>(detail::doubt_meaning)};
     }
 };
 
@@ -198,11 +198,10 @@ struct PrintedTrend {
     std::string doubt;
     static constexpr auto fields() {
         using T = PrintedTrend;
-        return std::tuple{section("conclusion", &T::conclusion, "number of the conclusion"),
-                          section("parameter", &T::parameter, "what was varied"),
-                          section("response", &T::response, "what was observed"),
-                          section("change", &T::change, "of the response as the parameter grows"),
-                          section("doubt", &T::doubt, detail::doubt_meaning)};
+        return std::tuple{section<&T::conclusion>("number of the conclusion"),
+                          section<&T::parameter>("what was varied"), section<&T::response>("what was observed"),
+                          section<&T::change>("of the response as the parameter grows"),
+                          section<&T::doubt>(detail::doubt_meaning)};
     }
 };
 
@@ -222,14 +221,14 @@ struct GroundwaterTest {
         using D = Dimension;
         constexpr Interval frictions = between(0, degrees(90));
         return std::tuple{
-            section("material", &T::material, "mixture or cork"),
+            section<&T::material>("mixture or cork"),
             number("density", &T::density, D::density, more_than(0), "density of the material"),
             number("friction_least", &T::friction_least, D::angle, frictions, "friction, its least"),
             number("friction_most", &T::friction_most, D::angle, frictions, "friction, its greatest"),
             number("filled_ratio", &T::filled_ratio, D::ratio, within(0, 1), "depth of water over its greatest"),
             number("rotation", &T::rotation, D::angle, right_open(0, degrees(90)), "of the model on the belt"),
-            section("plate", &T::plate, "plate that shows it"),
-            section("remark", &T::remark, "what happened")};
+            section<&T::plate>("plate that shows it"),
+            section<&T::remark>("what happened")};
     }
 };
 

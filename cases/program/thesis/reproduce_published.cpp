@@ -31,7 +31,7 @@ struct PublishedFactors {
     static constexpr auto fields() {
         using P = PublishedFactors;
         constexpr Dimension ratio = Dimension::ratio;
-        return std::tuple{section("problem", &P::problem, "number in the manual"),
+        return std::tuple{section<&P::problem>("number in the manual"),
                           section("case", &P::name, "name of the case file"),
                           number("closed_form", &P::closed_form, ratio, more_than(0), "limit equilibrium or bound"),
                           number("udec", &P::udec, ratio, more_than(0), "distinct elements"),
@@ -39,7 +39,7 @@ struct PublishedFactors {
                           number("rs2_improved", &P::rs2_improved, ratio, more_than(0), "with joint improvement"),
                           number("xslope", &P::xslope, ratio, more_than(0), "finite elements"),
                           number("other", &P::other, ratio, more_than(0), "as the remark says"),
-                          section("remark", &P::remark, "on the values")};
+                          section<&P::remark>("on the values")};
     }
 };
 

@@ -35,14 +35,14 @@ struct RelaxationBond {
     static constexpr auto fields() {
         using B = RelaxationBond;
         return std::tuple{
-            number("young_modulus", &B::young_modulus, Dimension::stress, more_than(0),
-                   "of the plane: E in plane stress, E / (1 - nu^2) in plane strain"),
-            number("shear_modulus", &B::shear_modulus, Dimension::stress, more_than(0), "of the rock"),
-            number("tensile_strength", &B::tensile_strength, Dimension::stress, at_least(0), "of the rock"),
-            number("cohesion", &B::cohesion, Dimension::stress, at_least(0), "of the rock"),
-            number("friction_angle", &B::friction_angle, Dimension::angle, right_open(0, degrees(90)), "of the rock"),
-            number("spacing", &B::spacing, Dimension::length, more_than(0),
-                   "over which the rock deforms; absent: of the blocks' centroids from the face")};
+            number<&B::young_modulus>(Dimension::stress, more_than(0),
+                                      "of the plane: E in plane stress, E / (1 - nu^2) in plane strain"),
+            number<&B::shear_modulus>(Dimension::stress, more_than(0), "of the rock"),
+            number<&B::tensile_strength>(Dimension::stress, at_least(0), "of the rock"),
+            number<&B::cohesion>(Dimension::stress, at_least(0), "of the rock"),
+            number<&B::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "of the rock"),
+            number<&B::spacing>(Dimension::length, more_than(0),
+                                "over which the rock deforms; absent: of the blocks' centroids from the face")};
     }
 };
 
@@ -58,21 +58,19 @@ struct RelaxationJoint {
     std::optional<double> residual_cohesion = {};
     static constexpr auto fields() {
         using J = RelaxationJoint;
-        return std::tuple{number("friction_angle", &J::friction_angle, Dimension::angle, right_open(0, degrees(90)),
-                                 "peak friction angle"),
-                          number("residual_friction_angle", &J::residual_friction_angle, Dimension::angle,
-                                 right_open(0, degrees(90)), "after the first slip or opening; absent: as the peak"),
-                          number("cohesion", &J::cohesion, Dimension::stress, at_least(0),
-                                 "lost with the first slip or opening; absent: none"),
-                          number("residual_cohesion", &J::residual_cohesion, Dimension::stress, at_least(0),
-                                 "what of the cohesion is not lost; absent: none"),
-                          number("tensile_strength", &J::tensile_strength, Dimension::stress, at_least(0),
-                                 "lost with the first opening; absent: none"),
-                          number("normal_stiffness", &J::normal_stiffness, Dimension::stiffness, more_than(0),
-                                 "of a corner on an edge; absent: by settings.stiffness_ratio"),
-                          number("shear_stiffness", &J::shear_stiffness, Dimension::stiffness, more_than(0),
-                                 "of a corner on an edge; absent: as the normal stiffness"),
-                          section("bond", &J::bond, "rock that holds until it breaks; absent: an open joint")};
+        return std::tuple{
+            number<&J::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "peak friction angle"),
+            number<&J::residual_friction_angle>(Dimension::angle, right_open(0, degrees(90)),
+                                                "after the first slip or opening; absent: as the peak"),
+            number<&J::cohesion>(Dimension::stress, at_least(0), "lost with the first slip or opening; absent: none"),
+            number<&J::residual_cohesion>(Dimension::stress, at_least(0),
+                                          "what of the cohesion is not lost; absent: none"),
+            number<&J::tensile_strength>(Dimension::stress, at_least(0), "lost with the first opening; absent: none"),
+            number<&J::normal_stiffness>(Dimension::stiffness, more_than(0),
+                                         "of a corner on an edge; absent: by settings.stiffness_ratio"),
+            number<&J::shear_stiffness>(Dimension::stiffness, more_than(0),
+                                        "of a corner on an edge; absent: as the normal stiffness"),
+            section<&J::bond>("rock that holds until it breaks; absent: an open joint")};
     }
 };
 
@@ -81,10 +79,9 @@ struct RelaxationRowBlock {
     double height;
     std::optional<BlockHold> hold;
     static constexpr auto fields() {
-        using B = RelaxationRowBlock;
-        return std::tuple{number("width", &B::width, Dimension::length, more_than(0), "along the base"),
-                          number("height", &B::height, Dimension::length, more_than(0), "normal to the base"),
-                          section("hold", &B::hold, hold_meaning)};
+        return std::tuple{number<&RelaxationRowBlock::width>(Dimension::length, more_than(0), "along the base"),
+                          number<&RelaxationRowBlock::height>(Dimension::length, more_than(0), "normal to the base"),
+                          section<&RelaxationRowBlock::hold>(hold_meaning)};
     }
 };
 
@@ -94,12 +91,11 @@ struct RelaxationColumn {
     double step_above;
     std::optional<BlockHold> hold;
     static constexpr auto fields() {
-        using C = RelaxationColumn;
-        return std::tuple{number("width", &C::width, Dimension::length, more_than(0), "along the base"),
-                          number("height", &C::height, Dimension::length, more_than(0), "normal to the base"),
-                          number("step_above", &C::step_above, Dimension::length, at_least(0),
-                                 "from its base up to that of the next column"),
-                          section("hold", &C::hold, hold_meaning)};
+        return std::tuple{number<&RelaxationColumn::width>(Dimension::length, more_than(0), "along the base"),
+                          number<&RelaxationColumn::height>(Dimension::length, more_than(0), "normal to the base"),
+                          number<&RelaxationColumn::step_above>(Dimension::length, at_least(0),
+                                                                "from its base up to that of the next column"),
+                          section<&RelaxationColumn::hold>(hold_meaning)};
     }
 };
 
@@ -110,12 +106,11 @@ struct RelaxationScatter {
     double height_deviation;
     double friction_deviation;
     static constexpr auto fields() {
-        using S = RelaxationScatter;
-        return std::tuple{number("seed", &S::seed, Dimension::ratio, within(0, 1e9), "of the random numbers"),
-                          number("height_deviation", &S::height_deviation, Dimension::ratio, right_open(0, 0.5),
-                                 "standard deviation of a height over the height"),
-                          number("friction_deviation", &S::friction_deviation, Dimension::angle,
-                                 right_open(0, degrees(20)), "standard deviation of a friction angle")};
+        return std::tuple{number<&RelaxationScatter::seed>(within(0, 1e9), "of the random numbers"),
+                          number<&RelaxationScatter::height_deviation>(
+                              right_open(0, 0.5), "standard deviation of a height over the height"),
+                          number<&RelaxationScatter::friction_deviation>(Dimension::angle, right_open(0, degrees(20)),
+                                                                         "standard deviation of a friction angle")};
     }
 };
 
@@ -129,14 +124,13 @@ struct RelaxationRow {
     std::vector<RelaxationRowBlock> block;
     static constexpr std::string_view kind = "row";
     static constexpr auto fields() {
-        using R = RelaxationRow;
-        return std::tuple{
-            number("tilt", &R::tilt, Dimension::angle, between(degrees(-90), degrees(90)), "dip of the plane, to -x"),
-            number("density", &R::density, Dimension::density, more_than(0), "of the rock"),
-            section("interface", &R::interface, "joints between the blocks"),
-            section("base", &R::base, "joint below the blocks"),
-            section("scatter", &R::scatter, "of heights and friction; absent: none"),
-            section("block", &R::block, "blocks from the toe up")};
+        return std::tuple{number<&RelaxationRow::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
+                                                       "dip of the plane, to -x"),
+                          number<&RelaxationRow::density>(Dimension::density, more_than(0), "of the rock"),
+                          section<&RelaxationRow::interface>("joints between the blocks"),
+                          section<&RelaxationRow::base>("joint below the blocks"),
+                          section<&RelaxationRow::scatter>("of heights and friction; absent: none"),
+                          section<&RelaxationRow::block>("blocks from the toe up")};
     }
 };
 
@@ -150,14 +144,13 @@ struct RelaxationColumns {
     std::vector<RelaxationColumn> block;
     static constexpr std::string_view kind = "stepped_base";
     static constexpr auto fields() {
-        using C = RelaxationColumns;
-        return std::tuple{
-            number("tilt", &C::tilt, Dimension::angle, between(degrees(-90), degrees(90)), "dip of the bases, to -x"),
-            number("density", &C::density, Dimension::density, more_than(0), "of the rock"),
-            section("interface", &C::interface, "joints between the columns"),
-            section("base", &C::base, "joints below the columns"),
-            section("scatter", &C::scatter, "of heights and friction; absent: none"),
-            section("block", &C::block, "columns from the toe up")};
+        return std::tuple{number<&RelaxationColumns::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
+                                                           "dip of the bases, to -x"),
+                          number<&RelaxationColumns::density>(Dimension::density, more_than(0), "of the rock"),
+                          section<&RelaxationColumns::interface>("joints between the columns"),
+                          section<&RelaxationColumns::base>("joints below the columns"),
+                          section<&RelaxationColumns::scatter>("of heights and friction; absent: none"),
+                          section<&RelaxationColumns::block>("columns from the toe up")};
     }
 };
 
@@ -166,11 +159,11 @@ struct RelaxationVertex {
     double y;
     std::optional<double> joint;
     static constexpr auto fields() {
-        using V = RelaxationVertex;
-        return std::tuple{number("x", &V::x, Dimension::length, any_number(), "in the initial geometry"),
-                          number("y", &V::y, Dimension::length, any_number(), "in the initial geometry"),
-                          number("joint", &V::joint, Dimension::ratio, at_least(1),
-                                 "number of the joint along the edge to the next vertex; absent: the block's")};
+        return std::tuple{
+            number<&RelaxationVertex::x>(Dimension::length, "in the initial geometry"),
+            number<&RelaxationVertex::y>(Dimension::length, "in the initial geometry"),
+            number<&RelaxationVertex::joint>(
+                at_least(1), "number of the joint along the edge to the next vertex; absent: the block's")};
     }
 };
 
@@ -181,11 +174,10 @@ struct RelaxationPolygon {
     std::vector<RelaxationVertex> vertex;
     static constexpr auto fields() {
         using P = RelaxationPolygon;
-        return std::tuple{number("density", &P::density, Dimension::density, more_than(0), "of the rock"),
-                          section("hold", &P::hold, hold_meaning),
-                          number("joint", &P::joint, Dimension::ratio, at_least(1),
-                                 "number of the joint along its edges; absent: the first"),
-                          section("vertex", &P::vertex, "corners, convex and anticlockwise")};
+        return std::tuple{number<&P::density>(Dimension::density, more_than(0), "of the rock"),
+                          section<&P::hold>(hold_meaning),
+                          number<&P::joint>(at_least(1), "number of the joint along its edges; absent: the first"),
+                          section<&P::vertex>("corners, convex and anticlockwise")};
     }
 };
 
@@ -197,11 +189,10 @@ struct RelaxationPolygons {
 
     static constexpr std::string_view kind = "blocks";
     static constexpr auto fields() {
-        using P = RelaxationPolygons;
-        return std::tuple{number("tilt", &P::tilt, Dimension::angle, between(degrees(-90), degrees(90)),
-                                 "of gravity against the section, as if that dipped to -x"),
-                          section("joint", &P::joint, "properties of joints, counted from 1"),
-                          section("block", &P::block, "the blocks, counted from 1")};
+        return std::tuple{number<&RelaxationPolygons::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
+                                                            "of gravity against the section, as if that dipped to -x"),
+                          section<&RelaxationPolygons::joint>("properties of joints, counted from 1"),
+                          section<&RelaxationPolygons::block>("the blocks, counted from 1")};
     }
 };
 
@@ -210,11 +201,10 @@ struct SlopeJoint {
     std::optional<double> water_share;
     RelaxationJoint strength;
     static constexpr auto fields() {
-        using J = SlopeJoint;
-        return std::tuple{section("name", &J::name, "by which cuts refer to it"),
-                          number("water_share", &J::water_share, Dimension::ratio, within(0, 1),
-                                 "of the pressure below the water table that acts in it; absent: 1"),
-                          inlined(&J::strength, "strength and stiffness")};
+        return std::tuple{section<&SlopeJoint::name>("by which cuts refer to it"),
+                          number<&SlopeJoint::water_share>(
+                              within(0, 1), "of the pressure below the water table that acts in it; absent: 1"),
+                          inlined(&SlopeJoint::strength, "strength and stiffness")};
     }
 };
 
@@ -233,15 +223,15 @@ struct RelaxationSlope {
     static constexpr std::string_view kind = "jointed_slope";
     static constexpr auto fields() {
         using S = RelaxationSlope;
-        return std::tuple{number("tilt", &S::tilt, Dimension::angle, between(degrees(-90), degrees(90)),
-                                 "of gravity against the section, as if that dipped to -x; absent: 0"),
+        return std::tuple{number<&S::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
+                                           "of gravity against the section, as if that dipped to -x; absent: 0"),
                           inlined(&S::geometry, "outline and cuts"),
-                          section("rock", &S::rock, "rocks; all is of the first where no line says otherwise"),
-                          section("joint", &S::joint, "properties of joints; surfaces have those of the first"),
-                          section("frame", &S::frame, "fixed blocks around the section"),
-                          section("water", &S::water, "water in the joints"),
-                          section("fixed", &S::fixed, "areas whose blocks are fixed"),
-                          section("stage", &S::stage, "areas whose blocks are taken away: excavation in stages")};
+                          section<&S::rock>("rocks; all is of the first where no line says otherwise"),
+                          section<&S::joint>("properties of joints; surfaces have those of the first"),
+                          section<&S::frame>("fixed blocks around the section"),
+                          section<&S::water>("water in the joints"),
+                          section<&S::fixed>("areas whose blocks are fixed"),
+                          section<&S::stage>("areas whose blocks are taken away: excavation in stages")};
     }
 };
 
@@ -261,15 +251,14 @@ struct Tilting {
     std::optional<double> pivot_y;
     static constexpr auto fields() {
         using T = Tilting;
-        return std::tuple{
-            section("turned", &T::turned, "gravity in the section, or the fixed blocks under it"),
-            number("final_tilt", &T::final_tilt, Dimension::angle, between(degrees(-90), degrees(90)), "tilt reached"),
-            number("rate", &T::rate, Dimension::angular_speed, more_than(0), "speed of tilting"),
-            number("interval", &T::interval, Dimension::time, at_least(0),
-                   "between increments of gravity's tilt; absent: continuous"),
-            number("start", &T::start, Dimension::time, at_least(0), "of tilting; absent: 0"),
-            number("pivot_x", &T::pivot_x, Dimension::length, any_number(), "of the base; absent: 0"),
-            number("pivot_y", &T::pivot_y, Dimension::length, any_number(), "of the base; absent: 0")};
+        return std::tuple{section<&T::turned>("gravity in the section, or the fixed blocks under it"),
+                          number<&T::final_tilt>(Dimension::angle, between(degrees(-90), degrees(90)), "tilt reached"),
+                          number<&T::rate>(Dimension::angular_speed, more_than(0), "speed of tilting"),
+                          number<&T::interval>(Dimension::time, at_least(0),
+                                               "between increments of gravity's tilt; absent: continuous"),
+                          number<&T::start>(Dimension::time, at_least(0), "of tilting; absent: 0"),
+                          number<&T::pivot_x>(Dimension::length, "of the base; absent: 0"),
+                          number<&T::pivot_y>(Dimension::length, "of the base; absent: 0")};
     }
 };
 
@@ -278,11 +267,10 @@ struct BaseFriction {
     double belt_speed;
     double friction_angle;
     static constexpr auto fields() {
-        using B = BaseFriction;
-        return std::tuple{number("belt_speed", &B::belt_speed, Dimension::speed, more_than(0),
-                                 "of the belt, with the direction gravity would have"),
-                          number("friction_angle", &B::friction_angle, Dimension::angle, between(0, degrees(90)),
-                                 "of the blocks on the belt")};
+        return std::tuple{number<&BaseFriction::belt_speed>(Dimension::speed, more_than(0),
+                                                            "of the belt, with the direction gravity would have"),
+                          number<&BaseFriction::friction_angle>(Dimension::angle, between(0, degrees(90)),
+                                                                "of the blocks on the belt")};
     }
 };
 
@@ -294,14 +282,12 @@ struct ForceOnBlock {
     double vertical;
     static constexpr auto fields() {
         using F = ForceOnBlock;
-        return std::tuple{number("block", &F::block, Dimension::ratio, at_least(1), "number of the block"),
-                          number("x", &F::x, Dimension::length, any_number(),
-                                 "where it acts, in the initial geometry; moves with the block"),
-                          number("y", &F::y, Dimension::length, any_number(), "where it acts, in the initial geometry"),
-                          number("horizontal", &F::horizontal, Dimension::force_per_length, any_number(),
-                                 "along x of the section, however it is tilted"),
-                          number("vertical", &F::vertical, Dimension::force_per_length, any_number(),
-                                 "along y of the section, likewise")};
+        return std::tuple{
+            number<&F::block>(at_least(1), "number of the block"),
+            number<&F::x>(Dimension::length, "where it acts, in the initial geometry; moves with the block"),
+            number<&F::y>(Dimension::length, "where it acts, in the initial geometry"),
+            number<&F::horizontal>(Dimension::force_per_length, "along x of the section, however it is tilted"),
+            number<&F::vertical>(Dimension::force_per_length, "along y of the section, likewise")};
     }
 };
 
@@ -314,17 +300,16 @@ struct BoltBar {
     std::optional<double> pretension;
     std::optional<double> free_length_at_joints;
     static constexpr auto fields() {
-        using B = BoltBar;
         return std::tuple{
-            number("plunge", &B::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
-                   "below the section's x axis"),
-            number("length", &B::length, Dimension::length, extent_range(), "from its head to its end"),
-            number("spacing", &B::spacing, Dimension::length, extent_range(), "along the slope, from bolt to bolt"),
-            number("axial_stiffness", &B::axial_stiffness, Dimension::force, more_than(0), "modulus times area"),
-            number("capacity", &B::capacity, Dimension::force, more_than(0), "tension at which it yields"),
-            number("pretension", &B::pretension, Dimension::force, at_least(0), "at the start; absent: 0"),
-            number("free_length_at_joints", &B::free_length_at_joints, Dimension::length, extent_range(),
-                   "over which a grouted bolt stretches at each joint; absent: it stretches over its whole length")};
+            number<&BoltBar::plunge>(Dimension::angle, within(degrees(-90), degrees(90)), "below the section's x axis"),
+            number<&BoltBar::length>(Dimension::length, extent_range(), "from its head to its end"),
+            number<&BoltBar::spacing>(Dimension::length, extent_range(), "along the slope, from bolt to bolt"),
+            number<&BoltBar::axial_stiffness>(Dimension::force, more_than(0), "modulus times area"),
+            number<&BoltBar::capacity>(Dimension::force, more_than(0), "tension at which it yields"),
+            number<&BoltBar::pretension>(Dimension::force, at_least(0), "at the start; absent: 0"),
+            number<&BoltBar::free_length_at_joints>(
+                Dimension::length, extent_range(),
+                "over which a grouted bolt stretches at each joint; absent: it stretches over its whole length")};
     }
 };
 
@@ -333,9 +318,8 @@ struct RelaxationBolt {
     double head_y;
     BoltBar bar;
     static constexpr auto fields() {
-        return std::tuple{number("head_x", &RelaxationBolt::head_x, Dimension::length, any_number(),
-                                 "its head, on the face of a block"),
-                          number("head_y", &RelaxationBolt::head_y, Dimension::length, any_number(), "likewise"),
+        return std::tuple{number<&RelaxationBolt::head_x>(Dimension::length, "its head, on the face of a block"),
+                          number<&RelaxationBolt::head_y>(Dimension::length, "likewise"),
                           inlined(&RelaxationBolt::bar, "the bar")};
     }
 };
@@ -346,12 +330,11 @@ struct BoltRows {
     double row_spacing;
     BoltBar bar;
     static constexpr auto fields() {
-        return std::tuple{
-            number("rows", &BoltRows::rows, Dimension::ratio, within(1, 1000), "number of rows, a whole one"),
-            number("lowest_height", &BoltRows::lowest_height, Dimension::length, any_number(),
-                   "of the lowest heads above the section's lowest corner"),
-            number("row_spacing", &BoltRows::row_spacing, Dimension::length, extent_range(), "from row to row"),
-            inlined(&BoltRows::bar, "the bars")};
+        return std::tuple{number<&BoltRows::rows>(within(1, 1000), "number of rows, a whole one"),
+                          number<&BoltRows::lowest_height>(Dimension::length,
+                                                           "of the lowest heads above the section's lowest corner"),
+                          number<&BoltRows::row_spacing>(Dimension::length, extent_range(), "from row to row"),
+                          inlined(&BoltRows::bar, "the bars")};
     }
 };
 
@@ -361,13 +344,12 @@ struct WaterPressure {
     double at_first;
     double at_second;
     static constexpr auto fields() {
-        using P = WaterPressure;
         return std::tuple{
-            number("block", &P::block, Dimension::ratio, at_least(1), "number of the block"),
-            number("edge", &P::edge, Dimension::ratio, at_least(1),
-                   "number of the face, anticlockwise from the first corner (of a row: 1 below, 2 up-slope)"),
-            number("at_first", &P::at_first, Dimension::stress, at_least(0), "pressure at the face's first corner"),
-            number("at_second", &P::at_second, Dimension::stress, at_least(0), "pressure at its second corner")};
+            number<&WaterPressure::block>(at_least(1), "number of the block"),
+            number<&WaterPressure::edge>(
+                at_least(1), "number of the face, anticlockwise from the first corner (of a row: 1 below, 2 up-slope)"),
+            number<&WaterPressure::at_first>(Dimension::stress, at_least(0), "pressure at the face's first corner"),
+            number<&WaterPressure::at_second>(Dimension::stress, at_least(0), "pressure at its second corner")};
     }
 };
 
@@ -379,14 +361,12 @@ struct WaterInJoint {
     static constexpr auto fields() {
         using W = WaterInJoint;
         return std::tuple{
-            number("block", &W::block, Dimension::ratio, at_least(1), "number of a block"),
-            number("other", &W::other, Dimension::ratio, at_least(1), "number of a block whose face lies on its face"),
-            number(
-                "at_first", &W::at_first, Dimension::stress, at_least(0),
-                "pressure at the end of what they share that comes first anticlockwise round the block (from a block "
-                "of a row to the next one up: below; to the plane: at the toe)"),
-            number("at_second", &W::at_second, Dimension::stress, at_least(0),
-                   "pressure at its other end, linear between")};
+            number<&W::block>(at_least(1), "number of a block"),
+            number<&W::other>(at_least(1), "number of a block whose face lies on its face"),
+            number<&W::at_first>(Dimension::stress, at_least(0),
+                                 "pressure at the end of what they share that comes first anticlockwise round the "
+                                 "block (from a block of a row to the next one up: below; to the plane: at the toe)"),
+            number<&W::at_second>(Dimension::stress, at_least(0), "pressure at its other end, linear between")};
     }
 };
 
@@ -395,13 +375,12 @@ struct ShakingPoint {
     double horizontal;
     double vertical;
     static constexpr auto fields() {
-        using S = ShakingPoint;
-        return std::tuple{number("time", &S::time, Dimension::time, at_least(0), "of the record, increasing"),
-                          number("horizontal", &S::horizontal, Dimension::acceleration, any_number(),
-                                 "of the ground into the slope, truly horizontal: normal to gravity, which a tilt "
-                                 "turns in the section"),
-                          number("vertical", &S::vertical, Dimension::acceleration, any_number(),
-                                 "of the ground, upward against gravity")};
+        return std::tuple{
+            number<&ShakingPoint::time>(Dimension::time, at_least(0), "of the record, increasing"),
+            number<&ShakingPoint::horizontal>(
+                Dimension::acceleration,
+                "of the ground into the slope, truly horizontal: normal to gravity, which a tilt turns in the section"),
+            number<&ShakingPoint::vertical>(Dimension::acceleration, "of the ground, upward against gravity")};
     }
 };
 
@@ -410,11 +389,9 @@ struct VelocityPoint {
     double horizontal;
     double vertical;
     static constexpr auto fields() {
-        using V = VelocityPoint;
-        return std::tuple{
-            number("time", &V::time, Dimension::time, at_least(0), "of the record, increasing"),
-            number("horizontal", &V::horizontal, Dimension::speed, any_number(), "of the centroid, along x"),
-            number("vertical", &V::vertical, Dimension::speed, any_number(), "of the centroid, along y")};
+        return std::tuple{number<&VelocityPoint::time>(Dimension::time, at_least(0), "of the record, increasing"),
+                          number<&VelocityPoint::horizontal>(Dimension::speed, "of the centroid, along x"),
+                          number<&VelocityPoint::vertical>(Dimension::speed, "of the centroid, along y")};
     }
 };
 
@@ -425,13 +402,11 @@ struct Turning {
     double pivot_x;
     double pivot_y;
     static constexpr auto fields() {
-        using T = Turning;
-        return std::tuple{
-            number("rate", &T::rate, Dimension::angular_speed, any_number(), "angular velocity, anticlockwise"),
-            number("start", &T::start, Dimension::time, at_least(0), "of turning"),
-            number("duration", &T::duration, Dimension::time, at_least(0), "of turning"),
-            number("pivot_x", &T::pivot_x, Dimension::length, any_number(), "point turned about"),
-            number("pivot_y", &T::pivot_y, Dimension::length, any_number(), "point turned about")};
+        return std::tuple{number<&Turning::rate>(Dimension::angular_speed, "angular velocity, anticlockwise"),
+                          number<&Turning::start>(Dimension::time, at_least(0), "of turning"),
+                          number<&Turning::duration>(Dimension::time, at_least(0), "of turning"),
+                          number<&Turning::pivot_x>(Dimension::length, "point turned about"),
+                          number<&Turning::pivot_y>(Dimension::length, "point turned about")};
     }
 };
 
@@ -441,10 +416,9 @@ struct FixedBlockMotion {
     std::vector<VelocityPoint> velocity;
     static constexpr auto fields() {
         using M = FixedBlockMotion;
-        return std::tuple{
-            number("fixed_block", &M::block, Dimension::ratio, at_least(1), "number of a fixed block"),
-            section("turning", &M::turning, "about a point"),
-            section("velocity", &M::velocity, "linear between, zero before the first, the last one kept")};
+        return std::tuple{number("fixed_block", &M::block, Dimension::ratio, at_least(1), "number of a fixed block"),
+                          section<&M::turning>("about a point"),
+                          section<&M::velocity>("linear between, zero before the first, the last one kept")};
     }
 };
 
@@ -452,9 +426,8 @@ struct BlockRemoval {
     double block;
     double time;
     static constexpr auto fields() {
-        using R = BlockRemoval;
-        return std::tuple{number("block", &R::block, Dimension::ratio, at_least(1), "number of the block"),
-                          number("time", &R::time, Dimension::time, at_least(0), "at which it is taken away")};
+        return std::tuple{number<&BlockRemoval::block>(at_least(1), "number of the block"),
+                          number<&BlockRemoval::time>(Dimension::time, at_least(0), "at which it is taken away")};
     }
 };
 
@@ -475,25 +448,22 @@ struct Relaxation {
     static constexpr auto fields() {
         using R = Relaxation;
         return std::tuple{
-            number("gravity", &R::gravity, Dimension::acceleration, at_least(0), "acceleration; absent: 9.80665 m/s2"),
-            section("shaking_file", &R::shaking_file,
-                    "CSV file with the record of shaking, beside the case, columns time_s, horizontal_m_per_s2, "
-                    "vertical_m_per_s2; or shaking"),
-            section("scene", &R::scene, "the blocks and their joints"),
-            section("tilting", &R::tilting, "tilt that grows"),
-            section("base_friction", &R::base_friction,
-                    "a belt that drives the blocks, pressed on it by gravity; absent: gravity drives them"),
-            section("force", &R::force, "point forces, along the axes of the section"),
-            section("bolt", &R::bolt, "bolts and cables across joints"),
-            section("support", &R::support, "rows of bolts, heads on the left of a jointed_slope's outline"),
-            section("pressure", &R::pressure, "water on single faces of blocks"),
-            section("joint_water", &R::joint_water,
-                    "water between two blocks, on both, over what their faces share at the start"),
-            section("shaking", &R::shaking,
-                    "record of the ground's acceleration: linear between, zero before the first and after the last; "
-                    "one alone: that acceleration from its time on"),
-            section("motion", &R::motion, "prescribed motion of fixed blocks"),
-            section("removal", &R::removal, "blocks taken away: excavation")};
+            number<&R::gravity>(Dimension::acceleration, at_least(0), "acceleration; absent: 9.80665 m/s2"),
+            section<&R::shaking_file>("CSV file with the record of shaking, beside the case, columns time_s, "
+                                      "horizontal_m_per_s2, vertical_m_per_s2; or shaking"),
+            section<&R::scene>("the blocks and their joints"),
+            section<&R::tilting>("tilt that grows"),
+            section<&R::base_friction>(
+                "a belt that drives the blocks, pressed on it by gravity; absent: gravity drives them"),
+            section<&R::force>("point forces, along the axes of the section"),
+            section<&R::bolt>("bolts and cables across joints"),
+            section<&R::support>("rows of bolts, heads on the left of a jointed_slope's outline"),
+            section<&R::pressure>("water on single faces of blocks"),
+            section<&R::joint_water>("water between two blocks, on both, over what their faces share at the start"),
+            section<&R::shaking>("record of the ground's acceleration: linear between, zero before the first and after "
+                                 "the last; one alone: that acceleration from its time on"),
+            section<&R::motion>("prescribed motion of fixed blocks"),
+            section<&R::removal>("blocks taken away: excavation")};
     }
 };
 

@@ -16,9 +16,8 @@ struct SlopeRock {
     std::string name;
     double density;
     static constexpr auto fields() {
-        using R = SlopeRock;
-        return std::tuple{section("name", &R::name, "by which lines and sets refer to it"),
-                          number("density", &R::density, Dimension::density, more_than(0), "of the rock")};
+        return std::tuple{section<&SlopeRock::name>("by which lines and sets refer to it"),
+                          number<&SlopeRock::density>(Dimension::density, more_than(0), "of the rock")};
     }
 };
 
@@ -31,12 +30,12 @@ struct SlopeFrame {
     std::optional<double> reach;
     std::string joint;
     static constexpr auto fields() {
-        using F = SlopeFrame;
-        return std::tuple{section("sides", &F::sides, "of the section that rest on fixed blocks"),
-                          number("thickness", &F::thickness, Dimension::length, more_than(0), "of the fixed blocks"),
-                          number("reach", &F::reach, Dimension::length, at_least(0),
-                                 "of the block below, beyond the section where there is none beside it; absent: 0"),
-                          section("joint", &F::joint, "name of the properties along the frame")};
+        return std::tuple{section<&SlopeFrame::sides>("of the section that rest on fixed blocks"),
+                          number<&SlopeFrame::thickness>(Dimension::length, more_than(0), "of the fixed blocks"),
+                          number<&SlopeFrame::reach>(
+                              Dimension::length, at_least(0),
+                              "of the block below, beyond the section where there is none beside it; absent: 0"),
+                          section<&SlopeFrame::joint>("name of the properties along the frame")};
     }
 };
 
@@ -47,17 +46,15 @@ struct SlopeWater {
     std::vector<SectionPoint> vertex;
     static constexpr auto fields() {
         using W = SlopeWater;
-        return std::tuple{
-            number("unit_weight", &W::unit_weight, Dimension::unit_weight, more_than(0), "unit weight of water"),
-            section("vertex", &W::vertex, "points of the water table, x increasing")};
+        return std::tuple{number<&W::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of water"),
+                          section<&W::vertex>("points of the water table, x increasing")};
     }
 };
 
 struct SlopeArea {
     std::vector<SectionPoint> vertex;
     static constexpr auto fields() {
-        return std::tuple{
-            section("vertex", &SlopeArea::vertex, "corners of an area; it has the blocks whose centre is in it")};
+        return std::tuple{section<&SlopeArea::vertex>("corners of an area; it has the blocks whose centre is in it")};
     }
 };
 
@@ -65,9 +62,8 @@ struct SlopeStage {
     double time;
     std::vector<SectionPoint> vertex;
     static constexpr auto fields() {
-        using S = SlopeStage;
-        return std::tuple{number("time", &S::time, Dimension::time, at_least(0), "at which its blocks are taken away"),
-                          section("vertex", &S::vertex, "corners of an area; it has the blocks whose centre is in it")};
+        return std::tuple{number<&SlopeStage::time>(Dimension::time, at_least(0), "at which its blocks are taken away"),
+                          section<&SlopeStage::vertex>("corners of an area; it has the blocks whose centre is in it")};
     }
 };
 

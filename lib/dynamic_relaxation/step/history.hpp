@@ -14,7 +14,7 @@ namespace delabole {
 struct BlockMonitor {
     double block;
     static constexpr auto fields() {
-        return std::tuple{number("block", &BlockMonitor::block, Dimension::ratio, at_least(1), "number of the block")};
+        return std::tuple{number<&BlockMonitor::block>(at_least(1), "number of the block")};
     }
 };
 
@@ -22,10 +22,8 @@ struct ContactMonitor {
     double block;
     double other;
     static constexpr auto fields() {
-        using C = ContactMonitor;
-        return std::tuple{
-            number("block", &C::block, Dimension::ratio, at_least(1), "number of the block that is pressed"),
-            number("other", &C::other, Dimension::ratio, at_least(1), "number of the block that presses it")};
+        return std::tuple{number<&ContactMonitor::block>(at_least(1), "number of the block that is pressed"),
+                          number<&ContactMonitor::other>(at_least(1), "number of the block that presses it")};
     }
 };
 
@@ -35,10 +33,9 @@ struct HistoryRequest {
     std::vector<ContactMonitor> contact;
     static constexpr auto fields() {
         using H = HistoryRequest;
-        return std::tuple{
-            number("interval", &H::interval, Dimension::time, more_than(0), "model time between lines of the tables"),
-            section("block", &H::block, "blocks whose motion is wanted"),
-            section("contact", &H::contact, "pairs of blocks whose force is wanted")};
+        return std::tuple{number<&H::interval>(Dimension::time, more_than(0), "model time between lines of the tables"),
+                          section<&H::block>("blocks whose motion is wanted"),
+                          section<&H::contact>("pairs of blocks whose force is wanted")};
     }
 };
 

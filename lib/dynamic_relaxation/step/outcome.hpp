@@ -63,12 +63,10 @@ struct BlockOutcome {
     // towards -x. Accuracy: a block that rotates over a corner changes corners, and so this value, within fifty steps.
     double base_slip = 0;
     static constexpr auto fields() {
-        using B = BlockOutcome;
-        return std::tuple{
-            section("movement", &B::movement, "how it has moved"),
-            number("rotation", &B::rotation, Dimension::angle, any_number(), "anticlockwise, out of the slope"),
-            number("displacement", &B::displacement, Dimension::length, any_number(), "of the centroid"),
-            number("base_slip", &B::base_slip, Dimension::length, any_number(), "over its base, forward negative")};
+        return std::tuple{section<&BlockOutcome::movement>("how it has moved"),
+                          number<&BlockOutcome::rotation>(Dimension::angle, "anticlockwise, out of the slope"),
+                          number<&BlockOutcome::displacement>(Dimension::length, "of the centroid"),
+                          number<&BlockOutcome::base_slip>(Dimension::length, "over its base, forward negative")};
     }
 };
 
@@ -76,10 +74,8 @@ struct BoltOutcome {
     double force = 0;    // N/m
     double yielded = 0;  // m
     static constexpr auto fields() {
-        using B = BoltOutcome;
-        return std::tuple{
-            number("force", &B::force, Dimension::force_per_length, any_number(), "tension, where it is greatest"),
-            number("yielded", &B::yielded, Dimension::length, any_number(), "by which it has stretched for good")};
+        return std::tuple{number<&BoltOutcome::force>(Dimension::force_per_length, "tension, where it is greatest"),
+                          number<&BoltOutcome::yielded>(Dimension::length, "by which it has stretched for good")};
     }
 };
 

@@ -46,8 +46,8 @@ struct EnergyBalance {
             number("kinetic_damping", &E::kinetic_damping, energy, any_number(),
                    "taken out at energy peaks, and with removed blocks"),
             number("residual", &E::residual, energy, any_number(), "residual of the energy balance"),
-            number("residual_share", &E::residual_share, Dimension::ratio, any_number(),
-                   "residual over all energy turned over; 0 where it is rounding of what springs hold")};
+            number<&E::residual_share>(
+                "residual over all energy turned over; 0 where it is rounding of what springs hold")};
     }
 
     double residual() const {

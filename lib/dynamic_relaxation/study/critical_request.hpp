@@ -48,17 +48,15 @@ struct TiltSearch {
     static constexpr std::string_view kind_key = "parameter";
     static constexpr std::string_view kind = "tilt";
     static constexpr auto fields() {
-        using T = TiltSearch;
         return std::tuple{
-            number("lower", &T::lower, Dimension::angle, between(degrees(-90), degrees(90)),
-                   "least tilt tried, which is constant whatever [tilting] does"),
-            number("upper", &T::upper, Dimension::angle, between(degrees(-90), degrees(90)), "greatest tilt tried"),
-            number("tolerance", &T::tolerance, Dimension::angle, within(degrees(1e-9), degrees(10)),
-                   "width of the bracket in the end; absent: 0.005 deg"),
-            section(
-                "path", &T::path,
+            number<&TiltSearch::lower>(Dimension::angle, between(degrees(-90), degrees(90)),
+                                       "least tilt tried, which is constant whatever [tilting] does"),
+            number<&TiltSearch::upper>(Dimension::angle, between(degrees(-90), degrees(90)), "greatest tilt tried"),
+            number<&TiltSearch::tolerance>(Dimension::angle, within(degrees(1e-9), degrees(10)),
+                                           "width of the bracket in the end; absent: 0.005 deg"),
+            section<&TiltSearch::path>(
                 "how the blocks come to each tilt; absent: stages where the scene has some, else by settings.start"),
-            section("paths", &T::paths, paths_meaning)};
+            section<&TiltSearch::paths>(paths_meaning)};
     }
 };
 
@@ -75,15 +73,14 @@ struct FrictionSearch {
     static constexpr auto fields() {
         using F = FrictionSearch;
         return std::tuple{
-            number("lower", &F::lower, Dimension::angle, right_open(0, degrees(90)),
-                   "least friction angle tried, of every joint, peak and residual"),
-            number("upper", &F::upper, Dimension::angle, right_open(0, degrees(90)), "greatest friction angle tried"),
-            number("tolerance", &F::tolerance, Dimension::angle, within(degrees(1e-9), degrees(10)),
-                   "width of the bracket in the end; absent: 0.005 deg"),
-            section("path", &F::path,
-                    "how the blocks come to each angle; absent: stages where the scene has some, else by "
-                    "settings.start"),
-            section("paths", &F::paths, paths_meaning)};
+            number<&F::lower>(Dimension::angle, right_open(0, degrees(90)),
+                              "least friction angle tried, of every joint, peak and residual"),
+            number<&F::upper>(Dimension::angle, right_open(0, degrees(90)), "greatest friction angle tried"),
+            number<&F::tolerance>(Dimension::angle, within(degrees(1e-9), degrees(10)),
+                                  "width of the bracket in the end; absent: 0.005 deg"),
+            section<&F::path>(
+                "how the blocks come to each angle; absent: stages where the scene has some, else by settings.start"),
+            section<&F::paths>(paths_meaning)};
     }
 };
 
@@ -100,17 +97,14 @@ struct ReductionSearch {
     static constexpr std::string_view kind = "strength_reduction";
     static constexpr auto fields() {
         using R = ReductionSearch;
-        return std::tuple{
-            number("lower", &R::lower, Dimension::ratio, more_than(0), "least factor tried; absent: 0.1"),
-            number("upper", &R::upper, Dimension::ratio, more_than(0), "greatest factor tried; absent: 10"),
-            number("tolerance", &R::tolerance, Dimension::ratio, within(1e-9, 1),
-                   "width of the bracket in the end; absent: 0.005"),
-            section(
-                "joints", &R::joints,
-                "names of the joints whose strength and bonds are divided: of a jointed slope; interface or base of "
-                "a row or columns; numbers of blocks' joints, as texts; absent: all"),
-            section("path", &R::path, "how the blocks come to each factor; absent: consolidated"),
-            section("paths", &R::paths, paths_meaning)};
+        return std::tuple{number<&R::lower>(more_than(0), "least factor tried; absent: 0.1"),
+                          number<&R::upper>(more_than(0), "greatest factor tried; absent: 10"),
+                          number<&R::tolerance>(within(1e-9, 1), "width of the bracket in the end; absent: 0.005"),
+                          section<&R::joints>(
+                              "names of the joints whose strength and bonds are divided: of a jointed slope; interface "
+                              "or base of a row or columns; numbers of blocks' joints, as texts; absent: all"),
+                          section<&R::path>("how the blocks come to each factor; absent: consolidated"),
+                          section<&R::paths>(paths_meaning)};
     }
 };
 
@@ -127,13 +121,11 @@ struct WeightSearch {
     static constexpr std::string_view kind = "weight";
     static constexpr auto fields() {
         using W = WeightSearch;
-        return std::tuple{
-            number("lower", &W::lower, Dimension::ratio, more_than(0), "least factor tried; absent: 0.1"),
-            number("upper", &W::upper, Dimension::ratio, more_than(0), "greatest factor tried; absent: 100"),
-            number("tolerance", &W::tolerance, Dimension::ratio, within(1e-9, 1),
-                   "width of the bracket in the end; absent: 0.005"),
-            section("path", &W::path, "how the blocks come to each factor; absent: consolidated"),
-            section("paths", &W::paths, paths_meaning)};
+        return std::tuple{number<&W::lower>(more_than(0), "least factor tried; absent: 0.1"),
+                          number<&W::upper>(more_than(0), "greatest factor tried; absent: 100"),
+                          number<&W::tolerance>(within(1e-9, 1), "width of the bracket in the end; absent: 0.005"),
+                          section<&W::path>("how the blocks come to each factor; absent: consolidated"),
+                          section<&W::paths>(paths_meaning)};
     }
 };
 

@@ -30,11 +30,11 @@ struct EnsembleRequest {
     static constexpr auto fields() {
         using E = EnsembleRequest;
         return std::tuple{
-            number("runs", &E::runs, Dimension::ratio, within(2, 1000), "slopes, the one as drawn among them"),
-            number("spacing_deviation", &E::spacing_deviation, Dimension::ratio, within(0, 0.4),
-                   "standard deviation of the spacing of each set, as a share of it; absent: 0"),
-            number("friction_deviation", &E::friction_deviation, Dimension::angle, within(0, degrees(20)),
-                   "standard deviation of the friction angle of each joint; absent: 0")};
+            number<&E::runs>(within(2, 1000), "slopes, the one as drawn among them"),
+            number<&E::spacing_deviation>(within(0, 0.4),
+                                          "standard deviation of the spacing of each set, as a share of it; absent: 0"),
+            number<&E::friction_deviation>(Dimension::angle, within(0, degrees(20)),
+                                           "standard deviation of the friction angle of each joint; absent: 0")};
     }
 };
 

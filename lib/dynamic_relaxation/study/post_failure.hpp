@@ -32,12 +32,12 @@ struct PostFailureRequest {
     std::optional<double> moved_share;
     std::optional<double> crack_share;
     static constexpr auto fields() {
-        using P = PostFailureRequest;
         return std::tuple{
-            number("moved_share", &P::moved_share, Dimension::ratio, more_than(0),
-                   "movement at which half of a block counts as failed, in sizes of the median block; absent: 0.25"),
-            number("crack_share", &P::crack_share, Dimension::ratio, more_than(0),
-                   "opening at which a joint at the crest counts as an open crack, likewise; absent: 0.01")};
+            number<&PostFailureRequest::moved_share>(
+                more_than(0),
+                "movement at which half of a block counts as failed, in sizes of the median block; absent: 0.25"),
+            number<&PostFailureRequest::crack_share>(
+                more_than(0), "opening at which a joint at the crest counts as an open crack, likewise; absent: 0.01")};
     }
 };
 
@@ -48,14 +48,11 @@ struct CrestJoint {
     double opening;
     double farthest;
     static constexpr auto fields() {
-        using C = CrestJoint;
-        return std::tuple{section("joint", &C::joint, "name of the properties along it"),
-                          number("open", &C::open, Dimension::ratio, any_number(),
-                                 "cracks, each by the share of its opening as a block by that of its movement"),
-                          number("opening", &C::opening, Dimension::length, any_number(),
-                                 "of all together, none more than the median block's size"),
-                          number("farthest", &C::farthest, Dimension::length, any_number(),
-                                 "of an open crack behind the crest; 0: none is open")};
+        return std::tuple{
+            section<&CrestJoint::joint>("name of the properties along it"),
+            number<&CrestJoint::open>("cracks, each by the share of its opening as a block by that of its movement"),
+            number<&CrestJoint::opening>(Dimension::length, "of all together, none more than the median block's size"),
+            number<&CrestJoint::farthest>(Dimension::length, "of an open crack behind the crest; 0: none is open")};
     }
 };
 
@@ -65,11 +62,9 @@ struct CrestMovement {
     double vertical;
     double rotation;
     static constexpr auto fields() {
-        using C = CrestMovement;
-        return std::tuple{
-            number("horizontal", &C::horizontal, Dimension::length, any_number(), "displacement, into the slope"),
-            number("vertical", &C::vertical, Dimension::length, any_number(), "displacement, upwards"),
-            number("rotation", &C::rotation, Dimension::angle, any_number(), "out of the slope")};
+        return std::tuple{number<&CrestMovement::horizontal>(Dimension::length, "displacement, into the slope"),
+                          number<&CrestMovement::vertical>(Dimension::length, "displacement, upwards"),
+                          number<&CrestMovement::rotation>(Dimension::angle, "out of the slope")};
     }
 };
 
@@ -92,26 +87,27 @@ struct PostFailureAnswer {
         using P = PostFailureAnswer;
         constexpr Interval any = any_number();
         return std::tuple{
-            number("failed_area", &P::failed_area, Dimension::area, any, "of the section that has failed"),
-            number("failed_width", &P::failed_width, Dimension::length, any, "of the ground behind the crest, failed"),
-            number("foot_level", &P::foot_level, Dimension::length, any, "of the failure, above the toe"),
-            number("knee_level", &P::knee_level, Dimension::length, any,
-                   "at which lower and upper surface meet, above the toe"),
-            number("top_level", &P::top_level, Dimension::length, any, "of the failure, above the toe"),
-            number("lower_angle", &P::lower_angle, Dimension::angle, any,
-                   "mean inclination of the surface left standing, foot to knee"),
-            number("upper_angle", &P::upper_angle, Dimension::angle, any, "likewise, knee to top"),
-            number("lower_roughness", &P::lower_roughness, Dimension::length, any,
-                   "root mean square distance of the surface left standing from the line from foot to knee"),
-            number("upper_roughness", &P::upper_roughness, Dimension::length, any, "likewise, from knee to top"),
-            section("near_face", &P::near_face, "blocks between the crest and the first open crack behind it"),
-            section("between_cracks", &P::between_cracks, "blocks between the first and the last open crack"),
-            number("backward_rotation", &P::backward_rotation, Dimension::angle, any,
-                   "into the slope, the greatest of a block at the ground behind the crest"),
-            number("rotation_share", &P::rotation_share, Dimension::ratio, any,
-                   "share of rotation in the kinetic energy of all blocks that are there, with displacements since the "
-                   "start in place of velocities; 0: they slide, 0.25: rectangles turn about a corner"),
-            section("joint", &P::joint, "cracks at the crest by their joint, as the scene lists joints")};
+            number<&P::failed_area>(Dimension::area, any, "of the section that has failed"),
+            number<&P::failed_width>(Dimension::length, any, "of the ground behind the crest, failed"),
+            number<&P::foot_level>(Dimension::length, any, "of the failure, above the toe"),
+            number<&P::knee_level>(Dimension::length, any, "at which lower and upper surface meet, above the toe"),
+            number<&P::top_level>(Dimension::length, any, "of the failure, above the toe"),
+            number<&P::lower_angle>(Dimension::angle, any,
+                                    "mean inclination of the surface left standing, foot to knee"),
+            number<&P::upper_angle>(Dimension::angle, any, "likewise, knee to top"),
+            number<&P::lower_roughness>(
+                Dimension::length, any,
+                "root mean square distance of the surface left standing from the line from foot to knee"),
+            number<&P::upper_roughness>(Dimension::length, any, "likewise, from knee to top"),
+            section<&P::near_face>("blocks between the crest and the first open crack behind it"),
+            section<&P::between_cracks>("blocks between the first and the last open crack"),
+            number<&P::backward_rotation>(Dimension::angle, any,
+                                          "into the slope, the greatest of a block at the ground behind the crest"),
+            number<&P::rotation_share>(
+                any,
+                "share of rotation in the kinetic energy of all blocks that are there, with displacements since the "
+                "start in place of velocities; 0: they slide, 0.25: rectangles turn about a corner"),
+            section<&P::joint>("cracks at the crest by their joint, as the scene lists joints")};
     }
 };
 

@@ -57,58 +57,47 @@ struct RelaxationNumerics {
     static constexpr auto fields() {
         using N = RelaxationNumerics;
         return std::tuple{
-            section("quality", &N::quality,
-                    "sets step_fraction, stiffness_ratio and equilibrium_ratio where they are absent"),
-            number("stiffness_ratio", &N::stiffness_ratio, Dimension::ratio, within(1e3, 1e10),
-                   "normal stiffness times width over weight of the heaviest block; absent: 1e6"),
-            number("step_fraction", &N::step_fraction, Dimension::ratio, within(0.01, 0.8),
-                   "share of the greatest stable step; absent: 0.6"),
-            number("time_step", &N::time_step, Dimension::time, more_than(0),
-                   "divided where it is more than the share of the stable step; absent: the share"),
-            number("viscous_damping", &N::viscous_damping, Dimension::ratio, within(0, 2),
-                   "dashpots of contacts, share of critical; absent: 0.2"),
-            number("local_damping", &N::local_damping, Dimension::ratio, right_open(0, 1),
-                   "share of the unbalanced force that acts against the velocity: failing blocks accelerate that much "
-                   "less; absent: 0.2, but 0 with a record of shaking"),
-            section("kinetic_damping", &N::kinetic_damping, "all velocities to zero at energy peaks; absent: off"),
-            section("mass_scaling", &N::mass_scaling,
-                    "light blocks have the inertia of heavy ones: quicker to equilibrium, motion wrong; absent: off"),
-            section("start", &N::start, "springs at the start; absent: preloaded"),
-            number("ramp_time", &N::ramp_time, Dimension::time, at_least(0), "of a ramped start; absent: 0"),
-            number("consolidation_time", &N::consolidation_time, Dimension::time, at_least(0),
-                   "in which blocks held at first do not move; absent: 0"),
-            number("equilibrium_ratio", &N::equilibrium_ratio, Dimension::ratio, between(0, 1),
-                   "greatest unbalanced force over weight at rest; absent: 1e-6"),
-            number("onset_rotation", &N::onset_rotation, Dimension::angle, more_than(0),
-                   "more is onset of failure; absent: 0.01 rad"),
-            number("onset_slide", &N::onset_slide, Dimension::ratio, more_than(0),
-                   "displacement in block radii, likewise; absent: 0.01"),
-            number("collapse_rotation", &N::collapse_rotation, Dimension::angle, more_than(0),
-                   "more is collapse; absent: 0.5 rad"),
-            number("collapse_displacement", &N::collapse_displacement, Dimension::ratio, more_than(0),
-                   "in block radii, likewise; absent: 1"),
-            section("stop", &N::stop,
-                    "end at equilibrium or collapse, at onset too, at nothing before collapse, at the latest at the "
-                    "duration, which is then no lack of an answer, or where all rest, also what has collapsed; absent: "
-                    "equilibrium"),
-            number("duration", &N::duration, Dimension::time, more_than(0), "longest model time; absent: 60 s"),
-            number(
-                "watch", &N::watch, Dimension::time, more_than(0),
-                "model time for which motion is followed whatever comes of it, past equilibrium, onset and collapse, "
-                "in place of stop and duration; absent: the run ends at its verdict"),
-            number("most_steps", &N::most_steps, Dimension::ratio, within(1, 1e12),
-                   "longest run, a whole number; absent: 1e8"),
-            number("taken_away_below", &N::taken_away_below, Dimension::length, any_number(),
-                   "level in the section; a block that comes to lie below it has left the slope and is taken away; "
-                   "absent: all stay"),
-            number("crack_opening", &N::crack_opening, Dimension::ratio, more_than(0),
-                   "in shortest edges; neighbours that part by more show the first tension crack; absent: 0.01 for "
-                   "rows and stepped bases, none looked for else"),
-            number("overlap_limit", &N::overlap_limit, Dimension::ratio, within(0.02, 1),
-                   "of the shortest edge; a run with more is stopped; absent: 0.05"),
-            section("corners_bear", &N::corners_bear,
-                    "whether blocks that rest only because corners bear on corners are in equilibrium, as blocks of "
-                    "steel are, rather than held_by_corners, which no search takes for standing; absent: off")};
+            section<&N::quality>("sets step_fraction, stiffness_ratio and equilibrium_ratio where they are absent"),
+            number<&N::stiffness_ratio>(within(1e3, 1e10),
+                                        "normal stiffness times width over weight of the heaviest block; absent: 1e6"),
+            number<&N::step_fraction>(within(0.01, 0.8), "share of the greatest stable step; absent: 0.6"),
+            number<&N::time_step>(Dimension::time, more_than(0),
+                                  "divided where it is more than the share of the stable step; absent: the share"),
+            number<&N::viscous_damping>(within(0, 2), "dashpots of contacts, share of critical; absent: 0.2"),
+            number<&N::local_damping>(right_open(0, 1),
+                                      "share of the unbalanced force that acts against the velocity: failing blocks "
+                                      "accelerate that much less; absent: 0.2, but 0 with a record of shaking"),
+            section<&N::kinetic_damping>("all velocities to zero at energy peaks; absent: off"),
+            section<&N::mass_scaling>(
+                "light blocks have the inertia of heavy ones: quicker to equilibrium, motion wrong; absent: off"),
+            section<&N::start>("springs at the start; absent: preloaded"),
+            number<&N::ramp_time>(Dimension::time, at_least(0), "of a ramped start; absent: 0"),
+            number<&N::consolidation_time>(Dimension::time, at_least(0),
+                                           "in which blocks held at first do not move; absent: 0"),
+            number<&N::equilibrium_ratio>(between(0, 1), "greatest unbalanced force over weight at rest; absent: 1e-6"),
+            number<&N::onset_rotation>(Dimension::angle, more_than(0), "more is onset of failure; absent: 0.01 rad"),
+            number<&N::onset_slide>(more_than(0), "displacement in block radii, likewise; absent: 0.01"),
+            number<&N::collapse_rotation>(Dimension::angle, more_than(0), "more is collapse; absent: 0.5 rad"),
+            number<&N::collapse_displacement>(more_than(0), "in block radii, likewise; absent: 1"),
+            section<&N::stop>("end at equilibrium or collapse, at onset too, at nothing before collapse, at the latest "
+                              "at the duration, which is then no lack of an answer, or where all rest, also what has "
+                              "collapsed; absent: equilibrium"),
+            number<&N::duration>(Dimension::time, more_than(0), "longest model time; absent: 60 s"),
+            number<&N::watch>(Dimension::time, more_than(0),
+                              "model time for which motion is followed whatever comes of it, past equilibrium, onset "
+                              "and collapse, in place of stop and duration; absent: the run ends at its verdict"),
+            number<&N::most_steps>(within(1, 1e12), "longest run, a whole number; absent: 1e8"),
+            number<&N::taken_away_below>(Dimension::length,
+                                         "level in the section; a block that comes to lie below it has left the slope "
+                                         "and is taken away; absent: all stay"),
+            number<&N::crack_opening>(more_than(0),
+                                      "in shortest edges; neighbours that part by more show the first tension crack; "
+                                      "absent: 0.01 for rows and stepped bases, none looked for else"),
+            number<&N::overlap_limit>(within(0.02, 1),
+                                      "of the shortest edge; a run with more is stopped; absent: 0.05"),
+            section<&N::corners_bear>(
+                "whether blocks that rest only because corners bear on corners are in equilibrium, as blocks of steel "
+                "are, rather than held_by_corners, which no search takes for standing; absent: off")};
     }
 };
 
@@ -124,17 +113,15 @@ struct RelaxationStudy {
     static constexpr std::string_view kind = "relaxation";
     static constexpr auto fields() {
         using S = RelaxationStudy;
-        return std::tuple{inlined(&S::model, "blocks, joints and loads"),
-                          section("settings", &S::settings, "numerical settings, none of them a property of the rock"),
-                          section("critical", &S::critical, "value between standing and failing"),
-                          section("history", &S::history, "tables over time"),
-                          section("post_failure", &S::post_failure,
-                                  "when a block of a jointed slope counts as failed, and a joint as open"),
-                          section("retrogression", &S::retrogression,
-                                  "of a jointed slope: what fails is taken away until the rest stands; absent: the "
-                                  "blocks are followed as they move"),
-                          section("ensemble", &S::ensemble,
-                                  "of a jointed slope: numbers are means over several that differ by chance")};
+        return std::tuple{
+            inlined(&S::model, "blocks, joints and loads"),
+            section<&S::settings>("numerical settings, none of them a property of the rock"),
+            section<&S::critical>("value between standing and failing"),
+            section<&S::history>("tables over time"),
+            section<&S::post_failure>("when a block of a jointed slope counts as failed, and a joint as open"),
+            section<&S::retrogression>("of a jointed slope: what fails is taken away until the rest stands; absent: "
+                                       "the blocks are followed as they move"),
+            section<&S::ensemble>("of a jointed slope: numbers are means over several that differ by chance")};
     }
 };
 
@@ -174,41 +161,32 @@ struct RelaxationAnswer {
     static constexpr auto fields() {
         using R = RelaxationAnswer;
         return std::tuple{
-            section("outcome", &R::outcome, "how the run ended"),
-            number("onset_time", &R::onset_time, Dimension::time, any_number(), "of failure; infinite: no onset"),
-            number("time", &R::time, Dimension::time, any_number(), "model time at the end"),
-            number("tilt", &R::tilt, Dimension::angle, any_number(),
-                   "of gravity and a turned base together, at the end"),
-            number("crack_time", &R::crack_time, Dimension::time, any_number(),
-                   "of the first tension crack; infinite: none seen"),
-            number("crack_tilt", &R::crack_tilt, Dimension::angle, any_number(),
-                   "of gravity and a turned base together at that time; infinite: none seen"),
-            number("crack_block", &R::crack_block, Dimension::ratio, any_number(),
-                   "number of the lower block beside it; 0: none seen"),
-            number("crack_neighbour", &R::crack_neighbour, Dimension::ratio, any_number(),
-                   "number of the other; 0: none seen"),
-            number("broken_bonds", &R::broken_bonds, Dimension::ratio, any_number(), "bonds that broke"),
-            number("unbalanced_at_start", &R::unbalanced_at_start, Dimension::ratio, any_number(),
-                   "greatest unbalanced force on a block, with moment over radius, over its load in a preloaded start; "
-                   "infinite: not preloaded"),
-            number("unbalanced_ratio", &R::unbalanced_ratio, Dimension::ratio, any_number(),
-                   "greatest unbalanced force on a block over its weight at the end"),
-            number("greatest_overlap", &R::greatest_overlap, Dimension::length, any_number(),
-                   "of a corner and an edge at the end"),
-            number("overlap_area", &R::overlap_area, Dimension::area, any_number(),
-                   "that two blocks have in common, of the two that lay deepest in each other"),
-            section("energy", &R::energy, "the energy balance"),
-            number("steps", &R::steps, Dimension::ratio, any_number(), "time steps made"),
-            number("time_step", &R::time_step, Dimension::time, any_number(), "the last one"),
-            number("contacts_evaluated", &R::contacts_evaluated, Dimension::ratio, any_number(),
-                   "contact forces computed in all"),
-            section("post_failure", &R::post_failure, "what of the slope has failed and what is left standing"),
-            section("early_failure", &R::early_failure,
-                    "the same while no more than half of that area had failed: crest cracks and movements before the "
-                    "crest itself goes"),
-            section("retrogression", &R::retrogression, "masses that failed one after the other"),
-            section("block", &R::block, "each block at the end"),
-            section("bolt", &R::bolt, "each bolt at the end")};
+            section<&R::outcome>("how the run ended"),
+            number<&R::onset_time>(Dimension::time, "of failure; infinite: no onset"),
+            number<&R::time>(Dimension::time, "model time at the end"),
+            number<&R::tilt>(Dimension::angle, "of gravity and a turned base together, at the end"),
+            number<&R::crack_time>(Dimension::time, "of the first tension crack; infinite: none seen"),
+            number<&R::crack_tilt>(Dimension::angle,
+                                   "of gravity and a turned base together at that time; infinite: none seen"),
+            number<&R::crack_block>("number of the lower block beside it; 0: none seen"),
+            number<&R::crack_neighbour>("number of the other; 0: none seen"),
+            number<&R::broken_bonds>("bonds that broke"),
+            number<&R::unbalanced_at_start>("greatest unbalanced force on a block, with moment over radius, over its "
+                                            "load in a preloaded start; infinite: not preloaded"),
+            number<&R::unbalanced_ratio>("greatest unbalanced force on a block over its weight at the end"),
+            number<&R::greatest_overlap>(Dimension::length, "of a corner and an edge at the end"),
+            number<&R::overlap_area>(Dimension::area,
+                                     "that two blocks have in common, of the two that lay deepest in each other"),
+            section<&R::energy>("the energy balance"),
+            number<&R::steps>("time steps made"),
+            number<&R::time_step>(Dimension::time, "the last one"),
+            number<&R::contacts_evaluated>("contact forces computed in all"),
+            section<&R::post_failure>("what of the slope has failed and what is left standing"),
+            section<&R::early_failure>("the same while no more than half of that area had failed: crest cracks and "
+                                       "movements before the crest itself goes"),
+            section<&R::retrogression>("masses that failed one after the other"),
+            section<&R::block>("each block at the end"),
+            section<&R::bolt>("each bolt at the end")};
     }
 };
 

@@ -28,10 +28,9 @@ namespace delabole {
 struct RetrogressionRequest {
     std::optional<double> most_stages;
     static constexpr auto fields() {
-        using R = RetrogressionRequest;
-        return std::tuple{number("most_stages", &R::most_stages, Dimension::ratio, at_least(1),
-                                 "after which what is left is not looked at: 1 finds the mass that fails first; "
-                                 "absent: all there are")};
+        return std::tuple{number<&RetrogressionRequest::most_stages>(
+            at_least(1),
+            "after which what is left is not looked at: 1 finds the mass that fails first; absent: all there are")};
     }
 };
 
@@ -49,16 +48,15 @@ struct RetrogressionStage {
         using S = RetrogressionStage;
         constexpr Interval any = any_number();
         return std::tuple{
-            number("blocks", &S::blocks, Dimension::ratio, any, "blocks that failed"),
-            number("area", &S::area, Dimension::area, any, "of the section that failed"),
-            number("toppling_share", &S::toppling_share, Dimension::ratio, any,
-                   "share of this area in blocks that turn out of the slope"),
-            number("backward_share", &S::backward_share, Dimension::ratio, any, "likewise, into the slope"),
-            number("sliding_share", &S::sliding_share, Dimension::ratio, any, "likewise, in blocks that do not turn"),
-            number("rotation_share", &S::rotation_share, Dimension::ratio, any,
-                   "share of rotation in the kinetic energy at onset, with displacements until then in place of "
-                   "velocities; 0: blocks slide, 0.25: rectangles turn about a corner. Of several masses the mean by "
-                   "area")};
+            number<&S::blocks>(any, "blocks that failed"),
+            number<&S::area>(Dimension::area, any, "of the section that failed"),
+            number<&S::toppling_share>(any, "share of this area in blocks that turn out of the slope"),
+            number<&S::backward_share>(any, "likewise, into the slope"),
+            number<&S::sliding_share>(any, "likewise, in blocks that do not turn"),
+            number<&S::rotation_share>(any,
+                                       "share of rotation in the kinetic energy at onset, with displacements until "
+                                       "then in place of velocities; 0: blocks slide, 0.25: rectangles turn about a "
+                                       "corner. Of several masses the mean by area")};
     }
 };
 
@@ -70,12 +68,10 @@ struct RetrogressionAnswer {
     std::vector<RetrogressionStage> stage;
     static constexpr auto fields() {
         using R = RetrogressionAnswer;
-        return std::tuple{number("stages", &R::stages, Dimension::ratio, any_number(),
-                                 "masses that failed one after the other until the rest stood"),
-                          section("total", &R::total, "all of them together"),
-                          section("first", &R::first, "the first; zero where none failed"),
-                          section("largest", &R::largest, "the one of the greatest area, likewise"),
-                          section("stage", &R::stage, "each of them")};
+        return std::tuple{
+            number<&R::stages>("masses that failed one after the other until the rest stood"),
+            section<&R::total>("all of them together"), section<&R::first>("the first; zero where none failed"),
+            section<&R::largest>("the one of the greatest area, likewise"), section<&R::stage>("each of them")};
     }
 };
 

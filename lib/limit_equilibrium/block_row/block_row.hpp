@@ -52,20 +52,18 @@ struct RowAnswer {
     static constexpr auto fields() {
         using A = RowAnswer;
         return std::tuple{
-            section("state", &A::state, "at the given inclination"),
-            section("search", &A::search,
-                    "exact: every mode was examined; bounded: a long row's likely ones; upper_bound: none of those is "
-                    "admissible, and both tilts are the one beyond which linear programming finds no equilibrium"),
-            section("mode", &A::mode,
-                    "least stable mode, one letter per block from the lowest up: S slides; F, P, B turns with its toe "
-                    "sliding forward, not at all, backward; = adheres to the block below; 0 stands; R is pushed back; "
-                    "empty: none is admissible"),
-            number("critical_tilt", &A::critical_tilt, Dimension::angle, any_number(),
-                   "inclination at which that mode begins"),
-            section("mode_in_contact", &A::mode_in_contact,
-                    "limiting mode of blocks pressed together; empty: none is admissible"),
-            number("critical_tilt_in_contact", &A::critical_tilt_in_contact, Dimension::angle, any_number(),
-                   "inclination at which that mode begins: limit of blocks pressed together; 90 deg: none")};
+            section<&A::state>("at the given inclination"),
+            section<&A::search>(
+                "exact: every mode was examined; bounded: a long row's likely ones; upper_bound: none of those is "
+                "admissible, and both tilts are the one beyond which linear programming finds no equilibrium"),
+            section<&A::mode>("least stable mode, one letter per block from the lowest up: S slides; F, P, B turns "
+                              "with its toe sliding forward, not at all, backward; = adheres to the block below; 0 "
+                              "stands; R is pushed back; empty: none is admissible"),
+            number<&A::critical_tilt>(Dimension::angle, "inclination at which that mode begins"),
+            section<&A::mode_in_contact>("limiting mode of blocks pressed together; empty: none is admissible"),
+            number<&A::critical_tilt_in_contact>(
+                Dimension::angle,
+                "inclination at which that mode begins: limit of blocks pressed together; 90 deg: none")};
     }
 };
 
@@ -76,13 +74,12 @@ struct RowModeSummary {
     double second_critical_tilt;
     static constexpr auto fields() {
         using M = RowModeSummary;
-        return std::tuple{section("roles", &M::roles, "one letter per block, see mode"),
-                          section("admissibility", &M::admissibility, "admissible, or why not"),
-                          number("critical_tilt", &M::critical_tilt, Dimension::angle, any_number(),
-                                 "inclination at which moments balance; 90 deg: none"),
-                          number("second_critical_tilt", &M::second_critical_tilt, Dimension::angle, any_number(),
-                                 "over-determined modes: inclination at which thrusts from both sides agree; else 90 "
-                                 "deg")};
+        return std::tuple{
+            section<&M::roles>("one letter per block, see mode"), section<&M::admissibility>("admissible, or why not"),
+            number<&M::critical_tilt>(Dimension::angle, "inclination at which moments balance; 90 deg: none"),
+            number<&M::second_critical_tilt>(
+                Dimension::angle,
+                "over-determined modes: inclination at which thrusts from both sides agree; else 90 deg")};
     }
 };
 
@@ -118,8 +115,8 @@ struct BlockRowResult {
     std::vector<RowBlockForces> block{};  // in the governing mode; empty if there is none
     static constexpr auto fields() {
         using R = BlockRowResult;
-        return std::tuple{inlined(&R::answer, "what governs"), section("mode", &R::mode, "the modes examined"),
-                          section("block", &R::block, "forces in the governing mode")};
+        return std::tuple{inlined(&R::answer, "what governs"), section<&R::mode>("the modes examined"),
+                          section<&R::block>("forces in the governing mode")};
     }
 };
 

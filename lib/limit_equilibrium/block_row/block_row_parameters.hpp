@@ -19,10 +19,10 @@ struct RowBase {
     T inclination;
     T friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number("inclination", &RowBase::inclination, Dimension::angle, right_open(0, degrees(90)),
-                                 "inclination of the plane as it is"),
-                          number("friction_angle", &RowBase::friction_angle, Dimension::angle, within(0, degrees(89.9)),
-                                 "angle of friction between blocks and plane")};
+        return std::tuple{number<&RowBase::inclination>(Dimension::angle, right_open(0, degrees(90)),
+                                                        "inclination of the plane as it is"),
+                          number<&RowBase::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+                                                           "angle of friction between blocks and plane")};
     }
 };
 
@@ -30,8 +30,8 @@ template <class T = double>
 struct RowInterface {
     T friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number("friction_angle", &RowInterface::friction_angle, Dimension::angle,
-                                 within(0, degrees(89.9)), "angle of friction between neighbouring blocks")};
+        return std::tuple{number<&RowInterface::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+                                                                "angle of friction between neighbouring blocks")};
     }
 };
 
@@ -39,8 +39,8 @@ template <class T = double>
 struct WeightOfBlock {
     T weight;
     static constexpr auto fields() {
-        return std::tuple{number("weight", &WeightOfBlock::weight, Dimension::force_per_length, more_than(0),
-                                 "weight of the block per metre run")};
+        return std::tuple{number<&WeightOfBlock::weight>(Dimension::force_per_length, more_than(0),
+                                                         "weight of the block per metre run")};
     }
 };
 
@@ -48,8 +48,8 @@ template <class T = double>
 struct UnitWeightOfBlock {
     T unit_weight;
     static constexpr auto fields() {
-        return std::tuple{number("unit_weight", &UnitWeightOfBlock::unit_weight, Dimension::unit_weight, more_than(0),
-                                 "unit weight of the block")};
+        return std::tuple{
+            number<&UnitWeightOfBlock::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of the block")};
     }
 };
 
@@ -65,13 +65,14 @@ struct RowBlock {
     std::optional<T> interface_friction_angle;
     static constexpr auto fields() {
         return std::tuple{
-            number("height", &RowBlock::height, Dimension::length, extent_range(), "height, normal to the plane"),
-            number("width", &RowBlock::width, Dimension::length, extent_range(), "width, along the plane"),
+            number<&RowBlock::height>(Dimension::length, extent_range(), "height, normal to the plane"),
+            number<&RowBlock::width>(Dimension::length, extent_range(), "width, along the plane"),
             inlined(&RowBlock::mass, "weight or unit weight"),
-            number("base_friction_angle", &RowBlock::base_friction_angle, Dimension::angle, within(0, degrees(89.9)),
-                   "friction between this block and the plane; absent: that of the row"),
-            number("interface_friction_angle", &RowBlock::interface_friction_angle, Dimension::angle,
-                   within(0, degrees(89.9)), "friction with the block above; absent: that of the row")};
+            number<&RowBlock::base_friction_angle>(
+                Dimension::angle, within(0, degrees(89.9)),
+                "friction between this block and the plane; absent: that of the row"),
+            number<&RowBlock::interface_friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+                                                        "friction with the block above; absent: that of the row")};
     }
 };
 
@@ -83,9 +84,8 @@ struct BlockRow {
 
     static constexpr std::string_view kind = "block_row";
     static constexpr auto fields() {
-        return std::tuple{section("base", &BlockRow::base, "the plane"),
-                          section("interface", &BlockRow::interface, "between the blocks"),
-                          section("block", &BlockRow::block, "the blocks, from the lowest up")};
+        return std::tuple{section<&BlockRow::base>("the plane"), section<&BlockRow::interface>("between the blocks"),
+                          section<&BlockRow::block>("the blocks, from the lowest up")};
     }
 };
 

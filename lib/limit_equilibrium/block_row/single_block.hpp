@@ -43,10 +43,9 @@ struct BlockBody {
     T unit_weight;
     static constexpr auto fields() {
         return std::tuple{
-            number("height", &BlockBody::height, Dimension::length, extent_range(), "height, normal to the base"),
-            number("width", &BlockBody::width, Dimension::length, extent_range(), "width, along the base"),
-            number("unit_weight", &BlockBody::unit_weight, Dimension::unit_weight, more_than(0),
-                   "unit weight of the rock")};
+            number<&BlockBody::height>(Dimension::length, extent_range(), "height, normal to the base"),
+            number<&BlockBody::width>(Dimension::length, extent_range(), "width, along the base"),
+            number<&BlockBody::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of the rock")};
     }
 };
 
@@ -57,11 +56,10 @@ struct BlockBase {
     T cohesion;
     static constexpr auto fields() {
         return std::tuple{
-            number("inclination", &BlockBase::inclination, Dimension::angle, right_open(0, degrees(90)),
-                   "inclination of the base"),
-            number("friction_angle", &BlockBase::friction_angle, Dimension::angle, within(0, degrees(89.9)),
-                   "angle of friction of the base"),
-            number("cohesion", &BlockBase::cohesion, Dimension::stress, at_least(0), "cohesion of the base")};
+            number<&BlockBase::inclination>(Dimension::angle, right_open(0, degrees(90)), "inclination of the base"),
+            number<&BlockBase::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+                                               "angle of friction of the base"),
+            number<&BlockBase::cohesion>(Dimension::stress, at_least(0), "cohesion of the base")};
     }
 };
 
@@ -72,12 +70,13 @@ struct BlockWater {
     T depth_behind;
     std::optional<T> depth_in_front;
     static constexpr auto fields() {
-        return std::tuple{number("unit_weight", &BlockWater::unit_weight, Dimension::unit_weight, more_than(0),
-                                 "unit weight of water"),
-                          number("depth_behind", &BlockWater::depth_behind, Dimension::length, distance_range(),
-                                 "water on the upper face, measured along it from the base"),
-                          number("depth_in_front", &BlockWater::depth_in_front, Dimension::length, distance_range(),
-                                 "water on the lower face, measured along it from the base; absent: none")};
+        return std::tuple{
+            number<&BlockWater::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of water"),
+            number<&BlockWater::depth_behind>(Dimension::length, distance_range(),
+                                              "water on the upper face, measured along it from the base"),
+            number<&BlockWater::depth_in_front>(
+                Dimension::length, distance_range(),
+                "water on the lower face, measured along it from the base; absent: none")};
     }
 };
 
@@ -90,10 +89,9 @@ struct SingleBlock {
 
     static constexpr std::string_view kind = "single_block";
     static constexpr auto fields() {
-        return std::tuple{section("block", &SingleBlock::block, "the block"),
-                          section("base", &SingleBlock::base, "the plane"),
-                          section("water", &SingleBlock::water, "water behind, in front and below; absent: dry"),
-                          section("seismic", &SingleBlock::seismic, "pseudo-static earthquake load; absent: none")};
+        return std::tuple{section<&SingleBlock::block>("the block"), section<&SingleBlock::base>("the plane"),
+                          section<&SingleBlock::water>("water behind, in front and below; absent: dry"),
+                          section<&SingleBlock::seismic>("pseudo-static earthquake load; absent: none")};
     }
 };
 
@@ -125,8 +123,8 @@ struct SingleBlockResult {
         using D = Dimension;
         constexpr Interval any = any_number();
         return std::tuple{
-            section("static_mode", &R::static_mode, "the static criteria superposed"),
-            section("onset_mode", &R::onset_mode, "motion of the rigid body released from rest"),
+            section<&R::static_mode>("the static criteria superposed"),
+            section<&R::onset_mode>("motion of the rigid body released from rest"),
             number("factor_of_safety", &R::factor_of_safety, D::ratio, any, "factor of safety against sliding"),
             number("overturning_factor", &R::overturning_factor, D::ratio, any,
                    "restoring over overturning moment about the toe"),

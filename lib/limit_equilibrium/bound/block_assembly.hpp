@@ -42,13 +42,14 @@ struct CrossJoints {
     double stagger;  // less than the spacing
     double friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number("spacing", &CrossJoints::spacing, Dimension::length, extent_range(),
-                                 "distance between cross joints, along the columns from each base"),
-                          number("stagger", &CrossJoints::stagger, Dimension::length, distance_range(),
-                                 "height above its base of the first cross joint in every second column, less than "
-                                 "the spacing; 0: as in the others"),
-                          number("friction_angle", &CrossJoints::friction_angle, Dimension::angle,
-                                 within(0, degrees(89.9)), "friction angle of the cross joints")};
+        return std::tuple{
+            number<&CrossJoints::spacing>(Dimension::length, extent_range(),
+                                          "distance between cross joints, along the columns from each base"),
+            number<&CrossJoints::stagger>(Dimension::length, distance_range(),
+                                          "height above its base of the first cross joint in every second column, less "
+                                          "than the spacing; 0: as in the others"),
+            number<&CrossJoints::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+                                                 "friction angle of the cross joints")};
     }
 };
 

@@ -18,8 +18,8 @@ namespace delabole {
 
 template <class Columns>
 constexpr auto joint_dip_field() {
-    return number("joint_dip", &Columns::joint_dip, Dimension::angle, left_open(0, degrees(90)),
-                  "dip of the joints, into the slope");
+    return number<&Columns::joint_dip>(Dimension::angle, left_open(0, degrees(90)),
+                                       "dip of the joints, into the slope");
 }
 
 // Fields of columns of one spacing with their toe corners on one line.
@@ -27,11 +27,12 @@ template <class Columns>
 constexpr auto regular_columns_fields() {
     return std::tuple{
         joint_dip_field<Columns>(),
-        number("spacing", &Columns::spacing, Dimension::length, extent_range(), "normal spacing of joints"),
-        number("base_inclination", &Columns::base_inclination, Dimension::angle, between(0, degrees(90)),
-               "inclination of the line through the toe corners of the bases"),
-        number("base_end_height", &Columns::base_end_height, Dimension::length, extent_range(),
-               "height above the toe at which that line ends; absent: it goes on to the ground")};
+        number<&Columns::spacing>(Dimension::length, extent_range(), "normal spacing of joints"),
+        number<&Columns::base_inclination>(Dimension::angle, between(0, degrees(90)),
+                                           "inclination of the line through the toe corners of the bases"),
+        number<&Columns::base_end_height>(
+            Dimension::length, extent_range(),
+            "height above the toe at which that line ends; absent: it goes on to the ground")};
 }
 
 // Columns cut by the true ground: all results are continuous functions of slope height and spacing, except for loads
@@ -64,13 +65,12 @@ struct ColumnBlock {
     T step_above;
     std::optional<T> unit_weight;
     static constexpr auto fields() {
-        return std::tuple{
-            number("height", &ColumnBlock::height, Dimension::length, distance_range(), "height above its base"),
-            number("width", &ColumnBlock::width, Dimension::length, extent_range(), "width of its base"),
-            number("step_above", &ColumnBlock::step_above, Dimension::length, distance_range(),
-                   "rise of the next base over this one, along the joint"),
-            number("unit_weight", &ColumnBlock::unit_weight, Dimension::unit_weight, more_than(0),
-                   "unit weight of this block; absent: that of the rock")};
+        return std::tuple{number<&ColumnBlock::height>(Dimension::length, distance_range(), "height above its base"),
+                          number<&ColumnBlock::width>(Dimension::length, extent_range(), "width of its base"),
+                          number<&ColumnBlock::step_above>(Dimension::length, distance_range(),
+                                                           "rise of the next base over this one, along the joint"),
+                          number<&ColumnBlock::unit_weight>(Dimension::unit_weight, more_than(0),
+                                                            "unit weight of this block; absent: that of the rock")};
     }
 };
 
@@ -82,7 +82,7 @@ struct BlockColumns {
     static constexpr std::string_view kind = "blocks";
     static constexpr auto fields() {
         return std::tuple{joint_dip_field<BlockColumns>(),
-                          section("block", &BlockColumns::block, "the blocks, from the toe up")};
+                          section<&BlockColumns::block>("the blocks, from the toe up")};
     }
 };
 
@@ -96,9 +96,9 @@ struct FilledJointsWater {
     T filled_ratio;
     static constexpr std::string_view kind = "filled_joints";
     static constexpr auto fields() {
-        return std::tuple{water_unit_weight_field(&FilledJointsWater::unit_weight),
-                          number("filled_ratio", &FilledJointsWater::filled_ratio, Dimension::ratio, within(0, 1),
-                                 "height of water over height of each joint")};
+        return std::tuple{
+            water_unit_weight_field(&FilledJointsWater::unit_weight),
+            number<&FilledJointsWater::filled_ratio>(within(0, 1), "height of water over height of each joint")};
     }
 };
 
@@ -139,13 +139,14 @@ struct PointLoad {
     T plunge;
     T height;
     static constexpr auto fields() {
-        return std::tuple{
-            number("block", &PointLoad::block, Dimension::ratio, at_least(1), "number of the column, 1 at the toe"),
-            number("force", &PointLoad::force, Dimension::force_per_length, at_least(0), "force"),
-            number("plunge", &PointLoad::plunge, Dimension::angle, within(degrees(-90), degrees(270)),
-                   "direction below the horizontal, measured from into-the-slope; 90 deg is vertical"),
-            number("height", &PointLoad::height, Dimension::length, distance_range(),
-                   "height of its point of application on the column's middle line, above the base")};
+        return std::tuple{number<&PointLoad::block>(at_least(1), "number of the column, 1 at the toe"),
+                          number<&PointLoad::force>(Dimension::force_per_length, at_least(0), "force"),
+                          number<&PointLoad::plunge>(
+                              Dimension::angle, within(degrees(-90), degrees(270)),
+                              "direction below the horizontal, measured from into-the-slope; 90 deg is vertical"),
+                          number<&PointLoad::height>(
+                              Dimension::length, distance_range(),
+                              "height of its point of application on the column's middle line, above the base")};
     }
 };
 
@@ -158,12 +159,12 @@ struct ColumnBolt {
     T height;
     static constexpr auto fields() {
         return std::tuple{
-            number("block", &ColumnBolt::block, Dimension::ratio, at_least(1), "number of the column, 1 at the toe"),
-            number("force", &ColumnBolt::force, Dimension::force_per_length, at_least(0), "tension"),
-            number("plunge", &ColumnBolt::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
-                   "direction below the horizontal, into the slope; negative: inclined upwards"),
-            number("height", &ColumnBolt::height, Dimension::length, distance_range(),
-                   "height of its head above the base, on the toe side of the column")};
+            number<&ColumnBolt::block>(at_least(1), "number of the column, 1 at the toe"),
+            number<&ColumnBolt::force>(Dimension::force_per_length, at_least(0), "tension"),
+            number<&ColumnBolt::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
+                                        "direction below the horizontal, into the slope; negative: inclined upwards"),
+            number<&ColumnBolt::height>(Dimension::length, distance_range(),
+                                        "height of its head above the base, on the toe side of the column")};
     }
 };
 
@@ -173,8 +174,8 @@ struct HeadWater {
     T filled_ratio;
     static constexpr auto fields() {
         return std::tuple{water_unit_weight_field(&HeadWater::unit_weight),
-                          number("filled_ratio", &HeadWater::filled_ratio, Dimension::ratio, within(0, 1),
-                                 "vertical depth of water over vertical height of the joint")};
+                          number<&HeadWater::filled_ratio>(
+                              within(0, 1), "vertical depth of water over vertical height of the joint")};
     }
 };
 
@@ -187,13 +188,12 @@ struct SlideHead {
     std::optional<HeadWater<T>> water;
     static constexpr auto fields() {
         return std::tuple{
-            number("joint_dip", &SlideHead::joint_dip, Dimension::angle, left_open(0, degrees(90)),
-                   "dip of the joint on which the wedge slides, out of the slope"),
-            number("friction_angle", &SlideHead::friction_angle, Dimension::angle, right_open(0, degrees(90)),
-                   "friction of that joint"),
-            number("cohesion", &SlideHead::cohesion, Dimension::stress, at_least(0), "cohesion of that joint"),
-            section("water", &SlideHead::water,
-                    "water standing in that joint; absent: it stands as the water of the columns does there")};
+            number<&SlideHead::joint_dip>(Dimension::angle, left_open(0, degrees(90)),
+                                          "dip of the joint on which the wedge slides, out of the slope"),
+            number<&SlideHead::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "friction of that joint"),
+            number<&SlideHead::cohesion>(Dimension::stress, at_least(0), "cohesion of that joint"),
+            section<&SlideHead::water>(
+                "water standing in that joint; absent: it stands as the water of the columns does there")};
     }
 };
 

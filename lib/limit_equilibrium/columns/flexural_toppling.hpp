@@ -41,8 +41,8 @@ struct FlexuralColumn {
     double height;
     static constexpr auto fields() {
         using C = FlexuralColumn;
-        return std::tuple{number("width", &C::width, Dimension::length, extent_range(), "along the plane of the feet"),
-                          number("height", &C::height, Dimension::length, extent_range(), "normal to that plane")};
+        return std::tuple{number<&C::width>(Dimension::length, extent_range(), "along the plane of the feet"),
+                          number<&C::height>(Dimension::length, extent_range(), "normal to that plane")};
     }
 };
 
@@ -60,20 +60,17 @@ struct FlexuralSlope {
     static constexpr auto fields() {
         using S = FlexuralSlope;
         return std::tuple{
-            number("base_dip", &S::base_dip, Dimension::angle, right_open(0, degrees(90)),
-                   "of the plane of the feet, out of the slope"),
-            number("unit_weight", &S::unit_weight, Dimension::unit_weight, more_than(0), "of the rock"),
-            number("joint_friction_angle", &S::joint_friction_angle, Dimension::angle, right_open(0, degrees(90)),
-                   "between columns"),
-            number("tensile_strength", &S::tensile_strength, Dimension::stress, at_least(0), "of the rock"),
-            number("cohesion", &S::cohesion, Dimension::stress, at_least(0), "of the rock at the feet"),
-            number("friction_angle", &S::friction_angle, Dimension::angle, right_open(0, degrees(90)),
-                   "of the rock at the feet"),
-            number(
-                "contact_height", &S::contact_height, Dimension::ratio, left_open(0, 1),
-                "of the force between two columns, over the height they share: 1 at the top, about 0.6 to 0.8 before "
-                "cracking"),
-            section("column", &S::column, "columns from the toe up")};
+            number<&S::base_dip>(Dimension::angle, right_open(0, degrees(90)),
+                                 "of the plane of the feet, out of the slope"),
+            number<&S::unit_weight>(Dimension::unit_weight, more_than(0), "of the rock"),
+            number<&S::joint_friction_angle>(Dimension::angle, right_open(0, degrees(90)), "between columns"),
+            number<&S::tensile_strength>(Dimension::stress, at_least(0), "of the rock"),
+            number<&S::cohesion>(Dimension::stress, at_least(0), "of the rock at the feet"),
+            number<&S::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "of the rock at the feet"),
+            number<&S::contact_height>(left_open(0, 1),
+                                       "of the force between two columns, over the height they share: 1 at the top, "
+                                       "about 0.6 to 0.8 before cracking"),
+            section<&S::column>("columns from the toe up")};
     }
 };
 
@@ -88,11 +85,11 @@ struct FlexuralColumnState {
     double normal = 0;  // N/m, compression at its foot, under that push
     static constexpr auto fields() {
         using C = FlexuralColumnState;
-        return std::tuple{section("mode", &C::mode, "how it fails unless it is pushed"),
-                          number("push", &C::push, Dimension::force_per_length, any_number(),
-                                 "that it needs from the column below; infinite: none holds it"),
-                          number("normal", &C::normal, Dimension::force_per_length, any_number(),
-                                 "compression at its foot, where it gets that push")};
+        return std::tuple{
+            section<&C::mode>("how it fails unless it is pushed"),
+            number<&C::push>(Dimension::force_per_length,
+                             "that it needs from the column below; infinite: none holds it"),
+            number<&C::normal>(Dimension::force_per_length, "compression at its foot, where it gets that push")};
     }
 };
 
@@ -107,13 +104,11 @@ struct FlexuralStability {
     static constexpr auto fields() {
         using S = FlexuralStability;
         return std::tuple{
-            number("toe_push", &S::toe_push, Dimension::force_per_length, any_number(),
-                   "that the toe column would need; 0: the slope stands"),
-            number("required_tensile_strength", &S::required_tensile_strength, Dimension::stress, any_number(),
-                   "least with which the slope stands; infinite: it is sheared off its feet"),
-            number("factor_of_safety", &S::factor_of_safety, Dimension::ratio, any_number(),
-                   "tensile strength over the required one; infinite: none is required"),
-            section("column", &S::column, "the columns from the toe up")};
+            number<&S::toe_push>(Dimension::force_per_length, "that the toe column would need; 0: the slope stands"),
+            number<&S::required_tensile_strength>(
+                Dimension::stress, "least with which the slope stands; infinite: it is sheared off its feet"),
+            number<&S::factor_of_safety>("tensile strength over the required one; infinite: none is required"),
+            section<&S::column>("the columns from the toe up")};
     }
 };
 

@@ -27,17 +27,17 @@ struct ColumnScene {
 
     static constexpr auto fields() {
         return std::tuple{
-            section("slope", &ColumnScene::slope, "the ground surface; absent where blocks are given one by one"),
-            section("columns", &ColumnScene::columns, "joints and stepped base"),
-            section("rock", &ColumnScene::rock, "the rock mass"),
-            section("water", &ColumnScene::water, "water in the joints and under the bases"),
-            section("seismic", &ColumnScene::seismic, "pseudo-static earthquake load; absent: none"),
-            section("surcharge", &ColumnScene::surcharge, "strip loads behind the crest"),
-            section("line_load", &ColumnScene::line_load, "line loads behind the crest"),
-            section("point_load", &ColumnScene::point_load, "loads on single columns"),
-            section("bolt", &ColumnScene::bolt, "bolts and cables in single columns"),
-            section("support", &ColumnScene::support, "patterns of tensioned bolts: rows, spacing, length, capacity"),
-            section("slide_head", &ColumnScene::slide_head, "wedge sliding against the last column; absent: none")};
+            section<&ColumnScene::slope>("the ground surface; absent where blocks are given one by one"),
+            section<&ColumnScene::columns>("joints and stepped base"),
+            section<&ColumnScene::rock>("the rock mass"),
+            section<&ColumnScene::water>("water in the joints and under the bases"),
+            section<&ColumnScene::seismic>("pseudo-static earthquake load; absent: none"),
+            section<&ColumnScene::surcharge>("strip loads behind the crest"),
+            section<&ColumnScene::line_load>("line loads behind the crest"),
+            section<&ColumnScene::point_load>("loads on single columns"),
+            section<&ColumnScene::bolt>("bolts and cables in single columns"),
+            section<&ColumnScene::support>("patterns of tensioned bolts: rows, spacing, length, capacity"),
+            section<&ColumnScene::slide_head>("wedge sliding against the last column; absent: none")};
     }
 };
 

@@ -23,17 +23,19 @@ struct CriticalBaseSearch {
     std::optional<T> upper_end_height;
     static constexpr auto fields() {
         return std::tuple{
-            section("find", &CriticalBaseSearch::find, "what is searched for"),
-            section("under", &CriticalBaseSearch::under, "water while the search is made"),
-            number("lower_inclination", &CriticalBaseSearch::lower_inclination, Dimension::angle,
-                   within(0, degrees(90)), "flattest base considered; absent: no steps"),
-            number("upper_inclination", &CriticalBaseSearch::upper_inclination, Dimension::angle,
-                   within(0, degrees(90)), "steepest base considered; absent: the face"),
-            number("lower_end_height", &CriticalBaseSearch::lower_end_height, Dimension::length, extent_range(),
-                   "lowest end of the base considered, above the toe; absent: a hundredth of the slope height"),
-            number("upper_end_height", &CriticalBaseSearch::upper_end_height, Dimension::length, extent_range(),
-                   "highest end of the base considered, above the toe; absent: where the base meets the ground, or "
-                   "twice the slope height where it does not")};
+            section<&CriticalBaseSearch::find>("what is searched for"),
+            section<&CriticalBaseSearch::under>("water while the search is made"),
+            number<&CriticalBaseSearch::lower_inclination>(Dimension::angle, within(0, degrees(90)),
+                                                           "flattest base considered; absent: no steps"),
+            number<&CriticalBaseSearch::upper_inclination>(Dimension::angle, within(0, degrees(90)),
+                                                           "steepest base considered; absent: the face"),
+            number<&CriticalBaseSearch::lower_end_height>(
+                Dimension::length, extent_range(),
+                "lowest end of the base considered, above the toe; absent: a hundredth of the slope height"),
+            number<&CriticalBaseSearch::upper_end_height>(
+                Dimension::length, extent_range(),
+                "highest end of the base considered, above the toe; absent: where the base meets the ground, or twice "
+                "the slope height where it does not")};
     }
 };
 

@@ -17,8 +17,8 @@ template <class T = double>
 struct JointStrength {
     T friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number("friction_angle", &JointStrength::friction_angle, Dimension::angle,
-                                 within(0, degrees(89.9)), "friction angle of the joints between columns")};
+        return std::tuple{number<&JointStrength::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+                                                                 "friction angle of the joints between columns")};
     }
 };
 
@@ -27,10 +27,10 @@ struct BaseStrength {
     T friction_angle;
     T cohesion;
     static constexpr auto fields() {
-        return std::tuple{number("friction_angle", &BaseStrength::friction_angle, Dimension::angle,
-                                 within(0, degrees(89.9)), "friction angle of the bases of the columns"),
-                          number("cohesion", &BaseStrength::cohesion, Dimension::stress, at_least(0),
-                                 "cohesion of the bases, where a column slides on its base")};
+        return std::tuple{number<&BaseStrength::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+                                                                "friction angle of the bases of the columns"),
+                          number<&BaseStrength::cohesion>(Dimension::stress, at_least(0),
+                                                          "cohesion of the bases, where a column slides on its base")};
     }
 };
 
@@ -42,8 +42,8 @@ struct SteppedBase {
     static constexpr std::string_view kind = "stepped_base";
     static constexpr auto fields() {
         return std::tuple{inlined(&SteppedBase::scene, "slope, columns, water and loads"),
-                          section("joints", &SteppedBase::joints, "strength of the joints between columns"),
-                          section("bases", &SteppedBase::bases, "strength of the bases")};
+                          section<&SteppedBase::joints>("strength of the joints between columns"),
+                          section<&SteppedBase::bases>("strength of the bases")};
     }
 };
 
@@ -94,14 +94,13 @@ struct RequiredCable {
     T height;
     T factor_of_safety;
     static constexpr auto fields() {
-        return std::tuple{
-            number("block", &RequiredCable::block, Dimension::ratio, at_least(1), "number of the column, 1 at the toe"),
-            number("plunge", &RequiredCable::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
-                   "direction below the horizontal, into the slope; negative: inclined upwards"),
-            number("height", &RequiredCable::height, Dimension::length, distance_range(),
-                   "height of its head above the base of that column"),
-            number("factor_of_safety", &RequiredCable::factor_of_safety, Dimension::ratio, more_than(0),
-                   "factor of safety to reach")};
+        return std::tuple{number<&RequiredCable::block>(at_least(1), "number of the column, 1 at the toe"),
+                          number<&RequiredCable::plunge>(
+                              Dimension::angle, within(degrees(-90), degrees(90)),
+                              "direction below the horizontal, into the slope; negative: inclined upwards"),
+                          number<&RequiredCable::height>(Dimension::length, distance_range(),
+                                                         "height of its head above the base of that column"),
+                          number<&RequiredCable::factor_of_safety>(more_than(0), "factor of safety to reach")};
     }
 };
 
@@ -138,7 +137,7 @@ struct ColumnResult {
         using delabole::number;  // names the function, not the member
         constexpr Interval any = any_number();
         return std::tuple{
-            section("mode", &C::mode, "what it does with the strength as given"),
+            section<&C::mode>("what it does with the strength as given"),
             number("width", &C::width, D::length, any, "width of its base"),
             number("height", &C::height, D::length, any, "height of its middle line"),
             number("weight", &C::weight, D::force_per_length, any, "weight"),
@@ -198,53 +197,44 @@ struct SteppedBaseResult {
     static constexpr auto fields() {
         using Result = SteppedBaseResult;
         return std::tuple{
-            section("limit", &Result::limit,
-                    "whether limiting equilibrium exists at any strength; abrupt: the slope stands down to the factor "
-                    "of safety and fails past it, but nothing is in equilibrium there"),
-            number("factor_of_safety", &Result::factor_of_safety, Dimension::ratio, any_number(),
-                   "factor on all friction and cohesion for limiting equilibrium"),
-            section("friction_limit", &Result::friction_limit, "the same for one friction angle of joints and bases"),
-            number("limiting_friction_angle", &Result::limiting_friction_angle, Dimension::angle, any_number(),
-                   "friction angle of joints and bases for limiting equilibrium"),
-            number("toe_force", &Result::toe_force, Dimension::force_per_length, any_number(),
-                   "force on the toe column for limiting equilibrium; negative: there is none to spare"),
-            number("weight", &Result::weight, Dimension::force_per_length, any_number(), "weight of the columns"),
-            number("column_count", &Result::column_count, Dimension::ratio, any_number(), "columns"),
-            number("toppling_count", &Result::toppling_count, Dimension::ratio, any_number(),
-                   "columns that topple in limiting equilibrium"),
-            number("sliding_count", &Result::sliding_count, Dimension::ratio, any_number(),
-                   "columns that slide in limiting equilibrium"),
-            number("uppermost_moving", &Result::uppermost_moving, Dimension::ratio, any_number(),
-                   "number of the uppermost column that moves in limiting equilibrium, counted from the toe"),
-            number("moving_count", &Result::moving_count, Dimension::ratio, any_number(),
-                   "columns that topple or slide in limiting equilibrium"),
-            number("moving_area", &Result::moving_area, Dimension::area, any_number(),
-                   "area in section of these columns and of the wedge, where it pushes"),
-            number("inadmissible_count", &Result::inadmissible_count, Dimension::ratio, any_number(),
-                   "columns whose base cannot give the reaction that limiting equilibrium asks of it: tension, "
-                   "friction exceeded, or outside the base"),
-            number("crack_base_distance", &Result::crack_base_distance, Dimension::length, any_number(),
-                   "horizontal distance from the toe to the upper end of the base of the moving columns"),
-            number("crack_base_height", &Result::crack_base_height, Dimension::length, any_number(),
-                   "height above the toe of that end, where the crack behind them opens"),
-            number("base_inclination", &Result::base_inclination, Dimension::angle, any_number(),
-                   "inclination of the line through the toe corners"),
-            number("base_end_height", &Result::base_end_height, Dimension::length, any_number(),
-                   "height above the toe at which the stepped base ends"),
-            section("slide_head", &Result::slide_head, "what the wedge above the columns does"),
-            number("slide_head_thrust", &Result::slide_head_thrust, Dimension::force_per_length, any_number(),
-                   "force of the wedge on the last column"),
-            number("slide_head_factor_of_safety", &Result::slide_head_factor_of_safety, Dimension::ratio, any_number(),
-                   "factor of safety of the wedge by itself; 0 where there is none"),
-            number("toppling_share", &Result::toppling_share, Dimension::ratio, any_number(),
-                   "share of the weight that moves in limiting equilibrium which is that of toppling columns"),
-            number("sliding_share", &Result::sliding_share, Dimension::ratio, any_number(),
-                   "the same of sliding columns"),
-            number("slide_head_share", &Result::slide_head_share, Dimension::ratio, any_number(),
-                   "the same of the wedge"),
-            number("crest_cracks", &Result::crest_cracks, Dimension::ratio, any_number(),
-                   "joints that come out behind the crest and on whose sides the rock moves differently in limiting "
-                   "equilibrium; 0 where the ground is not given")};
+            section<&Result::limit>(
+                "whether limiting equilibrium exists at any strength; abrupt: the slope stands down to the factor of "
+                "safety and fails past it, but nothing is in equilibrium there"),
+            number<&Result::factor_of_safety>("factor on all friction and cohesion for limiting equilibrium"),
+            section<&Result::friction_limit>("the same for one friction angle of joints and bases"),
+            number<&Result::limiting_friction_angle>(Dimension::angle,
+                                                     "friction angle of joints and bases for limiting equilibrium"),
+            number<&Result::toe_force>(
+                Dimension::force_per_length,
+                "force on the toe column for limiting equilibrium; negative: there is none to spare"),
+            number<&Result::weight>(Dimension::force_per_length, "weight of the columns"),
+            number<&Result::column_count>("columns"),
+            number<&Result::toppling_count>("columns that topple in limiting equilibrium"),
+            number<&Result::sliding_count>("columns that slide in limiting equilibrium"),
+            number<&Result::uppermost_moving>(
+                "number of the uppermost column that moves in limiting equilibrium, counted from the toe"),
+            number<&Result::moving_count>("columns that topple or slide in limiting equilibrium"),
+            number<&Result::moving_area>(Dimension::area,
+                                         "area in section of these columns and of the wedge, where it pushes"),
+            number<&Result::inadmissible_count>("columns whose base cannot give the reaction that limiting equilibrium "
+                                                "asks of it: tension, friction exceeded, or outside the base"),
+            number<&Result::crack_base_distance>(
+                Dimension::length,
+                "horizontal distance from the toe to the upper end of the base of the moving columns"),
+            number<&Result::crack_base_height>(Dimension::length,
+                                               "height above the toe of that end, where the crack behind them opens"),
+            number<&Result::base_inclination>(Dimension::angle, "inclination of the line through the toe corners"),
+            number<&Result::base_end_height>(Dimension::length, "height above the toe at which the stepped base ends"),
+            section<&Result::slide_head>("what the wedge above the columns does"),
+            number<&Result::slide_head_thrust>(Dimension::force_per_length, "force of the wedge on the last column"),
+            number<&Result::slide_head_factor_of_safety>(
+                "factor of safety of the wedge by itself; 0 where there is none"),
+            number<&Result::toppling_share>(
+                "share of the weight that moves in limiting equilibrium which is that of toppling columns"),
+            number<&Result::sliding_share>("the same of sliding columns"),
+            number<&Result::slide_head_share>("the same of the wedge"),
+            number<&Result::crest_cracks>("joints that come out behind the crest and on whose sides the rock moves "
+                                          "differently in limiting equilibrium; 0 where the ground is not given")};
     }
 };
 

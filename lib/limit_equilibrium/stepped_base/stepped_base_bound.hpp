@@ -16,12 +16,13 @@ struct LinearProgrammingBound {
     double upper_part;
     std::optional<CrossJoints> cross_joints;
     static constexpr auto fields() {
-        return std::tuple{number("upper_part", &LinearProgrammingBound::upper_part, Dimension::ratio, within(1e-6, 1),
-                                 "share of each joint, from its top, over which columns touch; 1: the bound proper, "
-                                 "towards 0: the recursion, which puts forces on the tops"),
-                          section("cross_joints", &LinearProgrammingBound::cross_joints,
-                                  "joints across the columns, which cut them into blocks; columns under their own "
-                                  "weight alone; blocks touch over all of each joint")};
+        return std::tuple{number<&LinearProgrammingBound::upper_part>(
+                              within(1e-6, 1),
+                              "share of each joint, from its top, over which columns touch; 1: the bound proper, "
+                              "towards 0: the recursion, which puts forces on the tops"),
+                          section<&LinearProgrammingBound::cross_joints>(
+                              "joints across the columns, which cut them into blocks; columns under their own weight "
+                              "alone; blocks touch over all of each joint")};
     }
 };
 
@@ -37,16 +38,15 @@ struct BoundResult {
 
     static constexpr auto fields() {
         return std::tuple{
-            section("status", &BoundResult::status, "how the linear programme ended"),
-            section("check", &BoundResult::check, "why there is none, where its assembly is invalid"),
-            number("factor_of_safety", &BoundResult::factor_of_safety, Dimension::ratio, any_number(),
-                   "largest factor on all friction and cohesion for which forces exist that keep all in equilibrium: a "
-                   "bound from the unsafe side, since joints that slip without opening may fail before"),
-            number("duality_gap", &BoundResult::duality_gap, Dimension::ratio, any_number(),
-                   "horizontal force, over the weight, by which the mechanism misses the forces"),
-            number("imbalance", &BoundResult::imbalance, Dimension::ratio, any_number(),
-                   "largest force, or moment by arm, left on a body, over the mean weight"),
-            number("body_count", &BoundResult::body_count, Dimension::ratio, any_number(), "bodies in the programme")};
+            section<&BoundResult::status>("how the linear programme ended"),
+            section<&BoundResult::check>("why there is none, where its assembly is invalid"),
+            number<&BoundResult::factor_of_safety>(
+                "largest factor on all friction and cohesion for which forces exist that keep all in equilibrium: a "
+                "bound from the unsafe side, since joints that slip without opening may fail before"),
+            number<&BoundResult::duality_gap>(
+                "horizontal force, over the weight, by which the mechanism misses the forces"),
+            number<&BoundResult::imbalance>("largest force, or moment by arm, left on a body, over the mean weight"),
+            number<&BoundResult::body_count>("bodies in the programme")};
     }
 };
 

@@ -24,11 +24,11 @@ struct SteppedBaseStudy {
     static constexpr auto fields() {
         return std::tuple{
             inlined(&SteppedBaseStudy::model, "slope, columns and their strength"),
-            section("critical", &SteppedBaseStudy::critical, "search for the least stable base"),
-            section("required", &SteppedBaseStudy::required, "inputs solved for"),
-            section("required_cable", &SteppedBaseStudy::required_cable, "cables whose tension is solved for"),
-            section("linear_programming_bound", &SteppedBaseStudy::linear_programming_bound,
-                    "bound on the factor of safety, from the unsafe side, by any forces that friction allows")};
+            section<&SteppedBaseStudy::critical>("search for the least stable base"),
+            section<&SteppedBaseStudy::required>("inputs solved for"),
+            section<&SteppedBaseStudy::required_cable>("cables whose tension is solved for"),
+            section<&SteppedBaseStudy::linear_programming_bound>(
+                "bound on the factor of safety, from the unsafe side, by any forces that friction allows")};
     }
 };
 

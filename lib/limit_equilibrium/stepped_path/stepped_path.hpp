@@ -64,57 +64,44 @@ struct SteppedPathResult {
     static constexpr auto fields() {
         using R = SteppedPathResult;
         return std::tuple{
-            section("limit", &R::limit,
-                    "whether limiting equilibrium exists at any strength; abrupt: past the factor of safety the mass "
-                    "fails, but its toe is not in equilibrium there"),
-            number("factor_of_safety", &R::factor_of_safety, Dimension::ratio, any_number(),
-                   "factor on all strength for limiting equilibrium, of the surface for which it is least"),
-            section("extent", &R::extent,
-                    "whether the surface is the smallest or the largest that may fail: then it is the limit of its "
-                    "size that decides, not strength"),
-            number("failed_area", &R::failed_area, Dimension::area, any_number(), "area in section of what fails"),
-            number("retreat", &R::retreat, Dimension::length, any_number(),
-                   "horizontal distance behind the crest at which the surface comes out"),
-            number("foot_height", &R::foot_height, Dimension::length, any_number(),
-                   "height above the toe at which the surface daylights"),
-            number("knee_distance", &R::knee_distance, Dimension::length, any_number(),
-                   "horizontal distance from the toe to where the upper surface begins"),
-            number("knee_height", &R::knee_height, Dimension::length, any_number(), "height of that point"),
-            number("lower_angle", &R::lower_angle, Dimension::angle, any_number(),
-                   "inclination of the line from the foot to that point"),
-            number("upper_angle", &R::upper_angle, Dimension::angle, any_number(),
-                   "inclination of the upper surface, one joint from there to the ground; above 90 deg it overhangs"),
-            number("upper_height", &R::upper_height, Dimension::length, any_number(), "height of the upper surface"),
-            number("lower_steps", &R::lower_steps, Dimension::ratio, any_number(), "risers in the lower surface"),
-            number("lower_roughness", &R::lower_roughness, Dimension::length, any_number(),
-                   "root mean square distance of the lower surface from its line"),
-            number("column_count", &R::column_count, Dimension::ratio, any_number(), "columns that move"),
-            number("toppling_count", &R::toppling_count, Dimension::ratio, any_number(), "columns that turn"),
-            number("toppling_share", &R::toppling_share, Dimension::ratio, any_number(),
-                   "share of the moving area that turns"),
-            number("sliding_share", &R::sliding_share, Dimension::ratio, any_number(),
-                   "share of the moving area that slides on steps"),
-            number("slide_head_share", &R::slide_head_share, Dimension::ratio, any_number(),
-                   "share of the moving area in the wedge"),
-            number("toppling_work_share", &R::toppling_work_share, Dimension::ratio, any_number(),
-                   "share of the work that weight does at the first displacements on columns that turn; parts that "
-                   "rise count for nothing"),
-            number("sliding_work_share", &R::sliding_work_share, Dimension::ratio, any_number(),
-                   "likewise, on what slides on steps"),
-            number("slide_head_work_share", &R::slide_head_work_share, Dimension::ratio, any_number(),
-                   "likewise, on the wedge; all three are 0 if every part rises"),
-            number("crest_cracks", &R::crest_cracks, Dimension::ratio, any_number(),
-                   "joints behind the crest that open or slip at the ground by a twentieth of the greatest "
-                   "displacement or more"),
-            number("crest_opening", &R::crest_opening, Dimension::ratio, any_number(),
-                   "greatest opening there, over the greatest displacement"),
-            number("crest_sinking", &R::crest_sinking, Dimension::ratio, any_number(),
-                   "displacement downwards of the uppermost part at its outcrop, over the greatest displacement; "
-                   "negative: it rises"),
-            number("crest_turning", &R::crest_turning, Dimension::ratio, any_number(),
-                   "rotation of the uppermost part times its height, over the greatest displacement; positive: "
-                   "backwards, into the slope"),
-            number("searches", &R::searches, Dimension::ratio, any_number(), "searches of all surfaces")};
+            section<&R::limit>("whether limiting equilibrium exists at any strength; abrupt: past the factor of safety "
+                               "the mass fails, but its toe is not in equilibrium there"),
+            number<&R::factor_of_safety>(
+                "factor on all strength for limiting equilibrium, of the surface for which it is least"),
+            section<&R::extent>("whether the surface is the smallest or the largest that may fail: then it is the "
+                                "limit of its size that decides, not strength"),
+            number<&R::failed_area>(Dimension::area, "area in section of what fails"),
+            number<&R::retreat>(Dimension::length,
+                                "horizontal distance behind the crest at which the surface comes out"),
+            number<&R::foot_height>(Dimension::length, "height above the toe at which the surface daylights"),
+            number<&R::knee_distance>(Dimension::length,
+                                      "horizontal distance from the toe to where the upper surface begins"),
+            number<&R::knee_height>(Dimension::length, "height of that point"),
+            number<&R::lower_angle>(Dimension::angle, "inclination of the line from the foot to that point"),
+            number<&R::upper_angle>(
+                Dimension::angle,
+                "inclination of the upper surface, one joint from there to the ground; above 90 deg it overhangs"),
+            number<&R::upper_height>(Dimension::length, "height of the upper surface"),
+            number<&R::lower_steps>("risers in the lower surface"),
+            number<&R::lower_roughness>(Dimension::length,
+                                        "root mean square distance of the lower surface from its line"),
+            number<&R::column_count>("columns that move"),
+            number<&R::toppling_count>("columns that turn"),
+            number<&R::toppling_share>("share of the moving area that turns"),
+            number<&R::sliding_share>("share of the moving area that slides on steps"),
+            number<&R::slide_head_share>("share of the moving area in the wedge"),
+            number<&R::toppling_work_share>("share of the work that weight does at the first displacements on columns "
+                                            "that turn; parts that rise count for nothing"),
+            number<&R::sliding_work_share>("likewise, on what slides on steps"),
+            number<&R::slide_head_work_share>("likewise, on the wedge; all three are 0 if every part rises"),
+            number<&R::crest_cracks>("joints behind the crest that open or slip at the ground by a twentieth of the "
+                                     "greatest displacement or more"),
+            number<&R::crest_opening>("greatest opening there, over the greatest displacement"),
+            number<&R::crest_sinking>("displacement downwards of the uppermost part at its outcrop, over the greatest "
+                                      "displacement; negative: it rises"),
+            number<&R::crest_turning>("rotation of the uppermost part times its height, over the greatest "
+                                      "displacement; positive: backwards, into the slope"),
+            number<&R::searches>("searches of all surfaces")};
     }
 };
 

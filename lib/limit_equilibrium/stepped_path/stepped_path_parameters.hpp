@@ -30,14 +30,15 @@ struct SteppedPathSearch {
     static constexpr auto fields() {
         using S = SteppedPathSearch;
         return std::tuple{
-            section("mechanism", &S::mechanism, "how the mass fails"),
-            number("least_width", &S::least_width, Dimension::length, distance_range(),
-                   "horizontal width that the failing mass has at least, behind the crest and in front of each riser "
-                   "of a sliding mass: what is smaller is no failure of the slope; absent: one whole block, the width "
-                   "between two risers, or between two joints of the columns where they topple without a wedge"),
-            number("greatest_retreat", &S::greatest_retreat, Dimension::length, extent_range(),
-                   "horizontal distance behind the crest at which the surface comes out at most; absent: the height "
-                   "of the slope")};
+            section<&S::mechanism>("how the mass fails"),
+            number<&S::least_width>(
+                Dimension::length, distance_range(),
+                "horizontal width that the failing mass has at least, behind the crest and in front of each riser of a "
+                "sliding mass: what is smaller is no failure of the slope; absent: one whole block, the width between "
+                "two risers, or between two joints of the columns where they topple without a wedge"),
+            number<&S::greatest_retreat>(Dimension::length, extent_range(),
+                                         "horizontal distance behind the crest at which the surface comes out at most; "
+                                         "absent: the height of the slope")};
     }
 };
 
@@ -48,14 +49,13 @@ struct PathSteps {
     double cohesion;
     static constexpr auto fields() {
         using S = PathSteps;
-        return std::tuple{
-            number("dip", &S::dip, Dimension::angle, between(degrees(-60), degrees(60)),
-                   "of the planes, positive out of the slope, negative into it"),
-            number("spacing", &S::spacing, Dimension::length, extent_range(),
-                   "normal spacing of the planes on which the surface may step; where they lie closer "
-                   "than matters, how finely levels are searched"),
-            number("friction_angle", &S::friction_angle, Dimension::angle, right_open(0, degrees(90)), "of the planes"),
-            number("cohesion", &S::cohesion, Dimension::stress, at_least(0), "of the planes")};
+        return std::tuple{number<&S::dip>(Dimension::angle, between(degrees(-60), degrees(60)),
+                                          "of the planes, positive out of the slope, negative into it"),
+                          number<&S::spacing>(Dimension::length, extent_range(),
+                                              "normal spacing of the planes on which the surface may step; where they "
+                                              "lie closer than matters, how finely levels are searched"),
+                          number<&S::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "of the planes"),
+                          number<&S::cohesion>(Dimension::stress, at_least(0), "of the planes")};
     }
 };
 
@@ -67,13 +67,12 @@ struct PathRisers {
     static constexpr auto fields() {
         using R = PathRisers;
         return std::tuple{
-            number("dip", &R::dip, Dimension::angle, left_open(0, degrees(90)), "of the joints, out of the slope"),
-            number("spacing", &R::spacing, Dimension::length, extent_range(),
-                   "normal spacing of the joints, one of which passes through the crest"),
-            number("friction_angle", &R::friction_angle, Dimension::angle, right_open(0, degrees(90)),
-                   "of the joints, for a wedge that slides on one"),
-            number("cohesion", &R::cohesion, Dimension::stress, at_least(0),
-                   "of the joints, for a wedge that slides on one")};
+            number<&R::dip>(Dimension::angle, left_open(0, degrees(90)), "of the joints, out of the slope"),
+            number<&R::spacing>(Dimension::length, extent_range(),
+                                "normal spacing of the joints, one of which passes through the crest"),
+            number<&R::friction_angle>(Dimension::angle, right_open(0, degrees(90)),
+                                       "of the joints, for a wedge that slides on one"),
+            number<&R::cohesion>(Dimension::stress, at_least(0), "of the joints, for a wedge that slides on one")};
     }
 };
 
@@ -83,12 +82,12 @@ struct PathColumns {
     double friction_angle;
     static constexpr auto fields() {
         using C = PathColumns;
-        return std::tuple{number("dip", &C::dip, Dimension::angle, within(degrees(-90), degrees(-30)),
-                                 "of the joints between columns, into the slope: negative"),
-                          number("spacing", &C::spacing, Dimension::length, extent_range(),
-                                 "normal spacing of the joints, one of which passes through the toe"),
-                          number("friction_angle", &C::friction_angle, Dimension::angle, right_open(0, degrees(90)),
-                                 "of the joints between columns")};
+        return std::tuple{
+            number<&C::dip>(Dimension::angle, within(degrees(-90), degrees(-30)),
+                            "of the joints between columns, into the slope: negative"),
+            number<&C::spacing>(Dimension::length, extent_range(),
+                                "normal spacing of the joints, one of which passes through the toe"),
+            number<&C::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "of the joints between columns")};
     }
 };
 
@@ -102,13 +101,11 @@ struct RockBridges {
     static constexpr auto fields() {
         using B = RockBridges;
         return std::tuple{
-            number("step_persistence", &B::step_persistence, Dimension::ratio, within(0, 1),
-                   "share of the length along steps that is joint, not rock"),
-            number("riser_persistence", &B::riser_persistence, Dimension::ratio, within(0, 1), "the same along risers"),
-            number("cohesion", &B::cohesion, Dimension::stress, at_least(0), "of the rock"),
-            number("friction_angle", &B::friction_angle, Dimension::angle, right_open(0, degrees(90)), "of the rock"),
-            number("tensile_strength", &B::tensile_strength, Dimension::stress, at_least(0),
-                   "of the rock, where a riser opens")};
+            number<&B::step_persistence>(within(0, 1), "share of the length along steps that is joint, not rock"),
+            number<&B::riser_persistence>(within(0, 1), "the same along risers"),
+            number<&B::cohesion>(Dimension::stress, at_least(0), "of the rock"),
+            number<&B::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "of the rock"),
+            number<&B::tensile_strength>(Dimension::stress, at_least(0), "of the rock, where a riser opens")};
     }
 };
 
@@ -120,11 +117,12 @@ struct MassiveRock {
     static constexpr auto fields() {
         using M = MassiveRock;
         return std::tuple{
-            number("boundary_dip", &M::boundary_dip, Dimension::angle, within(degrees(-60), degrees(89)),
-                   "of the plane, positive out of the slope; between the dips of the steps and of the risers"),
-            number("boundary_height", &M::boundary_height, Dimension::length, position_range(),
-                   "height above the toe at which the plane meets the face or, below the toe, the face's "
-                   "continuation downwards")};
+            number<&M::boundary_dip>(
+                Dimension::angle, within(degrees(-60), degrees(89)),
+                "of the plane, positive out of the slope; between the dips of the steps and of the risers"),
+            number<&M::boundary_height>(Dimension::length, position_range(),
+                                        "height above the toe at which the plane meets the face or, below the toe, the "
+                                        "face's continuation downwards")};
     }
 };
 
@@ -138,8 +136,8 @@ struct WaterDrawnDown {
         using W = WaterDrawnDown;
         return std::tuple{water_unit_weight_field(&W::unit_weight),
                           inlined(&W::level, "level behind, above the toe; full is the height of the slope"),
-                          number("reach", &W::reach, Dimension::length, extent_range(),
-                                 "horizontal distance from the toe to where the water stands at its level")};
+                          number<&W::reach>(Dimension::length, extent_range(),
+                                            "horizontal distance from the toe to where the water stands at its level")};
     }
 };
 
@@ -158,18 +156,17 @@ struct SteppedPath {
 
     static constexpr std::string_view kind = "stepped_path";
     static constexpr auto fields() {
-        using P = SteppedPath;
         return std::tuple{
-            section("search", &P::search, "which mechanism, and what counts as a failure"),
-            section("slope", &P::slope, "the ground surface; no bench"),
-            section("steps", &P::steps, "the flat set, on which the mass slides or its columns stand"),
-            section("risers", &P::risers, "the steep set out of the slope; absent: none"),
-            section("columns", &P::columns, "the steep set into the slope, which cuts columns; absent: none"),
-            section("rock", &P::rock, "the rock mass"),
-            section("rock_bridges", &P::rock_bridges, "rock between the ends of joints; absent: joints persist"),
-            section("massive_rock", &P::massive_rock,
-                    "rock without open joints, which no surface reaches; absent: joints run all the way down"),
-            section("water", &P::water, "water in the joints, at rest below a surface")};
+            section<&SteppedPath::search>("which mechanism, and what counts as a failure"),
+            section<&SteppedPath::slope>("the ground surface; no bench"),
+            section<&SteppedPath::steps>("the flat set, on which the mass slides or its columns stand"),
+            section<&SteppedPath::risers>("the steep set out of the slope; absent: none"),
+            section<&SteppedPath::columns>("the steep set into the slope, which cuts columns; absent: none"),
+            section<&SteppedPath::rock>("the rock mass"),
+            section<&SteppedPath::rock_bridges>("rock between the ends of joints; absent: joints persist"),
+            section<&SteppedPath::massive_rock>(
+                "rock without open joints, which no surface reaches; absent: joints run all the way down"),
+            section<&SteppedPath::water>("water in the joints, at rest below a surface")};
     }
 };
 

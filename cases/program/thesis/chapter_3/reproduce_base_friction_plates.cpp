@@ -22,8 +22,8 @@ struct PlateModel {
     std::string plate;
     std::string test;
     static constexpr auto fields() {
-        return std::tuple{section("plate", &PlateModel::plate, "plate of the thesis"),
-                          section("test", &PlateModel::test, "name of the model in Table 3.2")};
+        return std::tuple{section<&PlateModel::plate>("plate of the thesis"),
+                          section<&PlateModel::test>("name of the model in Table 3.2")};
     }
 };
 

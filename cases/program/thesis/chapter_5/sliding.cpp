@@ -22,16 +22,15 @@ struct PrintedSliding {
     std::string block_3;
     std::string block_4;
     static constexpr auto fields() {
-        using R = PrintedSliding;
         constexpr Dimension ratio = Dimension::ratio;
         return std::tuple{
-            section("table", &R::table, "table of the thesis"),
-            number("cycle", &R::cycle, ratio, at_least(1), "print edit"),
-            number("last_cycle", &R::last_cycle, ratio, at_least(1), "last one of which the same is said"),
-            section("block_1", &R::block_1, "F, B, - or ?"),
-            section("block_2", &R::block_2, "F, B, - or ?"),
-            section("block_3", &R::block_3, "F, B, - or ?"),
-            section("block_4", &R::block_4, "F, B, - or ?")};
+            section<&PrintedSliding::table>("table of the thesis"),
+            number("cycle", &PrintedSliding::cycle, ratio, at_least(1), "print edit"),
+            number("last_cycle", &PrintedSliding::last_cycle, ratio, at_least(1), "last one of which the same is said"),
+            section<&PrintedSliding::block_1>("F, B, - or ?"),
+            section<&PrintedSliding::block_2>("F, B, - or ?"),
+            section<&PrintedSliding::block_3>("F, B, - or ?"),
+            section<&PrintedSliding::block_4>("F, B, - or ?")};
     }
 };
 

@@ -145,16 +145,16 @@ struct PrintedRun {
         constexpr Dimension ratio = Dimension::ratio;
         constexpr Interval angles = within(0, 90);
         return std::tuple{
-            section("group", &R::group, "which of the thesis's experiments"),
-            section("name", &R::name, "name of the run"),
+            section<&R::group>("which of the thesis's experiments"),
+            section<&R::name>("name of the run"),
             number("blocks", &R::blocks, ratio, at_least(1), "number of equal blocks"),
             number("slenderness", &R::slenderness, ratio, more_than(0), "height over width"),
-            section("heights", &R::heights, "heights of unequal columns, in"),
+            section<&R::heights>("heights of unequal columns, in"),
             number("inclination_degrees", &R::inclination_degrees, ratio, angles, "inclination of the base, deg"),
             number("joints_degrees", &R::joints_degrees, ratio, angles, "friction between blocks, deg"),
             number("bases_degrees", &R::bases_degrees, ratio, angles, "friction of bases, deg"),
             number("stiffness", &R::stiffness, ratio, more_than(0), "stiffness of a contact, N/m"),
-            number("time_step", &R::time_step, Dimension::time, more_than(0), "time step"),
+            number<&R::time_step>(Dimension::time, more_than(0), "time step"),
             number("damping", &R::damping, ratio, at_least(0), "share of critical damping"),
             number("cycles", &R::cycles, ratio, at_least(1), "cycles to run"),
             number("tilted_to_degrees", &R::tilted_to_degrees, ratio, angles, "inclination at the end, deg"),
@@ -163,12 +163,12 @@ struct PrintedRun {
             number("first_print", &R::first_print, ratio, at_least(1), "print edit from which sliding is counted"),
             number("stop_rotation_degrees", &R::stop_rotation_degrees, ratio, more_than(0),
                    "rotation that ends it, deg"),
-            section("outcome", &R::outcome, "printed outcome"),
+            section<&R::outcome>("printed outcome"),
             number("settled_x", &R::settled_x, ratio, at_least(0), "printed cycle at which x came to rest"),
             number("settled_y", &R::settled_y, ratio, at_least(0), "printed cycle at which y came to rest"),
             number("printed_cycle", &R::printed_cycle, ratio, at_least(0), "printed cycle of the group"),
-            section("behaviour", &R::behaviour, "printed of each block"),
-            section("totals", &R::totals, "printed totals of sliding of each block")};
+            section<&R::behaviour>("printed of each block"),
+            section<&R::totals>("printed totals of sliding of each block")};
     }
 };
 
