@@ -5,12 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <iterator>
 #include <limits>
 #include <map>
-#include <tuple>
-#include <type_traits>
 #include <utility>
 
 namespace delabole {
@@ -31,11 +28,7 @@ struct Knot {
 using Knots = std::map<double, Knot>;
 using Place = Knots::const_iterator;
 
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, Knot>
-auto members_of(Type& knot) {
-    return std::tie(knot.misfit, knot.point);
-}
+DELABOLE_MEMBERS(Knot, misfit, point)
 
 // The result of tracing the profile of one parameter.
 struct Traced {
@@ -44,11 +37,7 @@ struct Traced {
     EvaluationCount evaluations;
 };
 
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, Traced>
-auto members_of(Type& traced) {
-    return std::tie(traced.profile, traced.lowest, traced.evaluations);
-}
+DELABOLE_MEMBERS(Traced, profile, lowest, evaluations)
 
 struct IntervalEnd {
     double value;

@@ -152,11 +152,7 @@ struct RunMessage {
     std::string failure = {};
 };
 
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, RunMessage>
-auto members_of(Type& run) {
-    return std::tie(run.made, run.pulls, run.idle, run.scatter, run.failure);
-}
+DELABOLE_MEMBERS(RunMessage, made, pulls, idle, scatter, failure)
 
 // Runs the model at all points; runs that were stopped are left out.
 std::vector<KnownRun> runs_at(const Points& points, const Misfit& misfit, const Workers& workers,

@@ -4,15 +4,13 @@
 #include "fitting/mechanism/mechanism_posterior.hpp"
 #include "fitting/posterior/fit_problem.hpp"
 #include "fitting/work/evaluation.hpp"
+#include "numerics/archive.hpp"
 
 #include <Eigen/Core>
-#include <algorithm>
 
-#include <concepts>
+#include <algorithm>
 #include <optional>
 #include <string>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 namespace delabole {
@@ -55,13 +53,9 @@ struct ProfileLikelihood {
     bool with_priors;  // whether the priors of the other and of this parameter were counted
 };
 
-// share_tasks uses this, and members_of() of the locus below.
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, ProfileLikelihood>
-auto members_of(Type& profile) {
-    return std::tie(profile.parameter, profile.values, profile.misfits, profile.least_misfit, profile.interval_68,
-                    profile.interval_95, profile.determination, profile.with_priors);
-}
+// share_tasks uses this, and the members of the locus below.
+DELABOLE_MEMBERS(ProfileLikelihood, parameter, values, misfits, least_misfit, interval_68, interval_95, determination,
+                 with_priors)
 
 enum class IdentifiabilityStatus {
     reliable,
@@ -99,11 +93,7 @@ struct FailureLocus {
     std::vector<int> branch;    // of each point, from 0
 };
 
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, FailureLocus>
-auto members_of(Type& locus) {
-    return std::tie(locus.x, locus.y, locus.points, locus.branch);
-}
+DELABOLE_MEMBERS(FailureLocus, x, y, points, branch)
 
 // Misfit, including priors, over the plane of two free parameters, with the others at the best point. Row and column of
 // z belong to y(row) and x(column).

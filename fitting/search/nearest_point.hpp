@@ -8,11 +8,9 @@
 #pragma once
 
 #include "fitting/search/minimise.hpp"
+#include "numerics/archive.hpp"
 
-#include <concepts>
 #include <span>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 namespace delabole {
@@ -35,12 +33,7 @@ struct NearestPoint {
 };
 
 // Used by share_tasks.
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, NearestPoint>
-auto members_of(Type& found) {
-    return std::tie(found.converged, found.point, found.direction, found.distance, found.off_surface,
-                    found.misalignment, found.evaluations);
-}
+DELABOLE_MEMBERS(NearestPoint, converged, point, direction, distance, off_surface, misalignment, evaluations)
 
 // g(u) is a margin in any unit; its sign at the origin does not matter. A failed evaluation counts as a great value of
 // g.

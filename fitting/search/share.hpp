@@ -6,41 +6,24 @@
 #include "fitting/work/ranks.hpp"
 #include "numerics/archive.hpp"
 
-#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 namespace delabole {
 
-// Ranks exchange their results as archives, for which each struct needs members_of().
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, EvaluationCount>
-auto members_of(Type& count) {
-    return std::tie(count.total, count.optimiser_rejections, count.failed_by_cause);
-}
-
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, MinimiseResult>
-auto members_of(Type& result) {
-    return std::tie(result.status, result.point, result.value, result.evaluations);
-}
+// Ranks exchange their results as archives, for which each struct needs its DELABOLE_MEMBERS.
+DELABOLE_MEMBERS(EvaluationCount, total, optimiser_rejections, failed_by_cause)
+DELABOLE_MEMBERS(MinimiseResult, status, point, value, evaluations)
+DELABOLE_MEMBERS(Interval, lower, upper, lower_open, upper_open)
 
 // Throws std::runtime_error where the data from another rank do not match what this rank expects.
 inline void demand_whole(const ArchiveReader& reader) {
     if (!reader.whole()) {
         throw std::runtime_error("the ranks do not agree on what they work at: do all run the same program?");
     }
-}
-
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, Interval>
-auto members_of(Type& interval) {
-    return std::tie(interval.lower, interval.upper, interval.lower_open, interval.upper_open);
 }
 
 // The threads of this rank and the other ranks; no result depends on the number of either.

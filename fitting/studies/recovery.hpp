@@ -16,11 +16,9 @@
 #include "fitting/posterior/posterior.hpp"
 #include "fitting/probability/estimate.hpp"
 #include "fitting/work/progress.hpp"
+#include "numerics/archive.hpp"
 
-#include <concepts>
 #include <string>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 namespace delabole {
@@ -49,12 +47,7 @@ struct Recovered {
     std::vector<int> inside_95;
 };
 
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, Recovered>
-auto members_of(Type& one) {
-    return std::tie(one.status, one.has_truth, one.truth, one.mean, one.standard_deviation, one.rank, one.inside_68,
-                    one.inside_95);
-}
+DELABOLE_MEMBERS(Recovered, status, has_truth, truth, mean, standard_deviation, rank, inside_68, inside_95)
 
 struct ParameterRecovery {
     std::string name;

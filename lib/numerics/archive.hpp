@@ -23,7 +23,18 @@ namespace delabole {
 template <class T>
 inline constexpr bool is_put_together = false;
 
-// Structs whose members_of(object) is a tuple of references to their members.
+template <class T, class Struct>
+concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
+
+// Defines members_of(object), a tuple of references to all members, for archives. A structured binding has to name
+// every member: if one is added to the struct, its list no longer compiles.
+#define DELABOLE_MEMBERS(Struct, ...)      \
+    template <IsMaybeConst<Struct> Object> \
+    auto members_of(Object& object) {      \
+        auto& [__VA_ARGS__] = object;      \
+        return std::tie(__VA_ARGS__);      \
+    }
+
 template <class T>
 concept HasMembers = requires(T& object) {
     members_of(object);

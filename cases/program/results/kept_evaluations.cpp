@@ -12,17 +12,8 @@
 
 namespace delabole {
 
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, RunTable::Outcome>
-auto members_of(Type& outcome) {
-    return std::tie(outcome.failure, outcome.outputs, outcome.profile);
-}
-
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, StoreTraffic>
-auto members_of(Type& traffic) {
-    return std::tie(traffic.made, traffic.found, traffic.seconds_made, traffic.seconds_found);
-}
+DELABOLE_MEMBERS(RunTable::Outcome, failure, outputs, profile)
+DELABOLE_MEMBERS(StoreTraffic, made, found, seconds_made, seconds_found)
 
 namespace {
 

@@ -1,27 +1,11 @@
 // The members of all that a checkpoint holds or depends on: one list for each struct, for writing and for reading.
-//
-// A structured binding has to name every member: if a member is added to a struct, its list here no longer compiles. A
-// new member also requires a higher checkpoint_version (checkpoint_bytes.cpp).
+// A new member also requires a higher checkpoint_version (checkpoint_bytes.cpp).
 #pragma once
 
 #include "dynamic_relaxation/study/relaxation_study.hpp"
-
-#include <concepts>
-#include <tuple>
-#include <type_traits>
+#include "numerics/archive.hpp"
 
 namespace delabole {
-
-template <class T, class Struct>
-concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
-
-// References to the members of `object`, to constants if it is constant.
-#define DELABOLE_MEMBERS(Struct, ...)      \
-    template <IsMaybeConst<Struct> Object> \
-    auto members_of(Object& object) {      \
-        auto& [__VA_ARGS__] = object;      \
-        return std::tie(__VA_ARGS__);      \
-    }
 
 DELABOLE_MEMBERS(Motion, x, y, sine, versine, vx, vy, spin, angle)
 DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, alone,
@@ -109,7 +93,5 @@ DELABOLE_MEMBERS(CriticalProbe, outcome, steps, contacts_evaluated, rested_in_mo
 DELABOLE_MEMBERS(SearchProgress, probe, probe_state, consolidated, failed)
 DELABOLE_MEMBERS(FailureStage, block, moved, start, onset, time, steps, contacts_evaluated)
 DELABOLE_MEMBERS(StudyProgress, state, next_line, history, record, slope, stage, search)
-
-#undef DELABOLE_MEMBERS
 
 }  // namespace delabole
