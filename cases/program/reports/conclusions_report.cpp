@@ -121,9 +121,7 @@ Json json_of(const ConclusionTest& test, const TestFinding& finding) {
     if (is_probability(test)) {
         json["standard_error"] = json_number(finding.standard_error);
     } else {
-        json["draws"] = finding.draws;
-        json["without_answer"] = finding.without_answer;
-        json["holding"] = finding.holding;
+        put<&TestFinding::draws, &TestFinding::without_answer, &TestFinding::holding>(json, finding);
     }
     return json;
 }

@@ -92,16 +92,12 @@ Table observation_table(const MechanismFit& fit) {
 
 Json json_of(const MechanismFit& fit) {
     Json json;
-    json["name"] = fit.name;
-    json["status"] = word_of(fit.status);
+    put<&MechanismFit::name, &MechanismFit::status>(json, fit);
     json["verdict"] = fit.identifiability.verdict;
     json["identifiability"] = word_of(fit.identifiability.status);
-    json["rank"] = fit.identifiability.rank;
-    json["singular_values"] = fit.identifiability.singular_values;
+    put<&Identifiability::rank, &Identifiability::singular_values>(json, fit.identifiability);
     json["directions"] = json_of_matrix(fit.identifiability.directions.transpose());
-    json["ranking_score"] = json_number(fit.ranking_score);
-    json["data_misfit"] = json_number(fit.data_misfit);
-    json["prior_misfit"] = json_number(fit.prior_misfit);
+    put<&MechanismFit::ranking_score, &MechanismFit::data_misfit, &MechanismFit::prior_misfit>(json, fit);
     json["parameters"] = Json::object();
     for (std::size_t index = 0; index < fit.best.size(); ++index) {
         const std::string& name = fit.parameters[index].name;
@@ -110,24 +106,20 @@ Json json_of(const MechanismFit& fit) {
         entry["best"] = json_of(fit.best[index], dimension);
         for (const bool with_priors : {true, false}) {
             if (const ProfileLikelihood* profile = profile_of(fit, name, with_priors)) {
-                Json& part = entry[with_priors ? "with_priors" : "data_only"];
-                part["interval_68"] = json_of(profile->interval_68, dimension);
-                part["interval_95"] = json_of(profile->interval_95, dimension);
-                part["determination"] = word_of(profile->determination);
+                put<&ProfileLikelihood::interval_68, &ProfileLikelihood::interval_95,
+                    &ProfileLikelihood::determination>(entry[with_priors ? "with_priors" : "data_only"], *profile,
+                                                       dimension);
             }
         }
     }
     json["rank_with_priors"] = fit.identifiability.rank_with_priors;
     json["observations"] = Json::array();
     for (const ObservationFit& row : fit.observations) {
-        json["observations"].push_back(
-            {{"label", row.label},
-             {"quantity", column_name(row.quantity, row.dimension)},
-             {"relation", word_of(row.relation)},
-             {"observed", json_of(row.observed, row.dimension)},
-             {"predicted", row.predicted ? json_of(*row.predicted, row.dimension) : Json(nullptr)},
-             {"scatter", json_of(row.scatter, row.dimension)},
-             {"pull", json_number(row.pull)}});
+        Json& entry = json["observations"].emplace_back();
+        entry = {{"label", row.label}, {"quantity", column_name(row.quantity, row.dimension)}};
+        put<&ObservationFit::relation, &ObservationFit::observed, &ObservationFit::predicted, &ObservationFit::scatter>(
+            entry, row, row.dimension);
+        put<&ObservationFit::pull>(entry, row);
     }
     if (fit.profile_fit) {
         json["profile_rms_m"] = fit.profile_fit->rms;
@@ -151,16 +143,12 @@ Json json_of(const MechanismFit& fit) {
     if (fit.surrogate) {
         json["surrogate"] = json_of_surrogate(fit);
     }
-    json["explained"] = fit.explained;
-    json["unexplained"] = fit.unexplained;
+    put<&MechanismFit::explained, &MechanismFit::unexplained>(json, fit);
     if (fit.posterior) {
         json["posterior"] = json_of_posterior(fit);
     }
     json["evaluations"] = fit.evaluations.total;
-    json["failed_evaluations"] = Json::object();
-    for (const auto& [cause, number] : fit.evaluations.failed_by_cause) {
-        json["failed_evaluations"][std::string(cause)] = number;
-    }
+    json["failed_evaluations"] = json_of(fit.evaluations)["without_answer"];
     return json;
 }
 

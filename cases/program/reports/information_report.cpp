@@ -23,10 +23,8 @@ std::string reductions_in_words(const std::vector<ParameterInformation>& paramet
 }
 
 const ParameterInformation* most_of(const CandidateInformation& candidate) {
-    const auto most = std::max_element(candidate.over_mechanisms.begin(), candidate.over_mechanisms.end(),
-                                       [](const ParameterInformation& one, const ParameterInformation& other) {
-                                           return one.standard_deviation.value < other.standard_deviation.value;
-                                       });
+    const auto most = std::ranges::max_element(
+        candidate.over_mechanisms, {}, [](const ParameterInformation& one) { return one.standard_deviation.value; });
     return most == candidate.over_mechanisms.end() ? nullptr : &*most;
 }
 
@@ -117,9 +115,8 @@ StudyDocuments document_information(const std::vector<FitCandidate>& candidates,
         }
         for (const MechanismInformation& mechanism : candidate.mechanisms) {
             Json& own = json["mechanisms"][mechanism.mechanism];
-            own["status"] = word_of(mechanism.status);
-            own["effective_draws"] = json_number(mechanism.effective_draws);
-            own["without_answer"] = json_number(mechanism.without_answer);
+            put<&MechanismInformation::status, &MechanismInformation::effective_draws,
+                &MechanismInformation::without_answer>(own, mechanism);
             own["parameters"] = json_of(mechanism.parameters);
             by_mechanism.rows.push_back({candidate.label, mechanism.mechanism, written(mechanism)});
         }

@@ -385,11 +385,8 @@ Json json_of_posterior(const MechanismFit& fit) {
     for (const ParameterPosterior& parameter : posterior.parameters) {
         const Dimension dimension = fit.dimension_of(parameter.name);
         Json& entry = json["parameters"][column_name(parameter.name, dimension)];
-        entry["mean"] = json_of(parameter.mean, dimension);
-        entry["standard_deviation"] = json_of(parameter.standard_deviation, dimension);
-        entry["median"] = json_of(parameter.median, dimension);
-        entry["interval_68"] = json_of(parameter.interval_68, dimension);
-        entry["interval_95"] = json_of(parameter.interval_95, dimension);
+        put<&ParameterPosterior::mean, &ParameterPosterior::standard_deviation, &ParameterPosterior::median,
+            &ParameterPosterior::interval_68, &ParameterPosterior::interval_95>(entry, parameter, dimension);
         entry["r_hat"] = json_number(parameter.diagnostics.r_hat);
         entry["effective_size_bulk"] = json_number(parameter.diagnostics.bulk_size);
         entry["effective_size_tails"] = json_number(parameter.diagnostics.tail_size);

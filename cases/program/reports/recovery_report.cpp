@@ -33,9 +33,7 @@ std::string share_in_words(const Estimate& share) {
 
 Json json_of(const ParameterRecovery& parameter) {
     Json json;
-    json["coverage_68"] = delabole::json_of(parameter.coverage_68, 1);
-    json["coverage_95"] = delabole::json_of(parameter.coverage_95, 1);
-    json["bias"] = delabole::json_of(parameter.bias, 1);
+    put<&ParameterRecovery::coverage_68, &ParameterRecovery::coverage_95, &ParameterRecovery::bias>(json, parameter);
     json[column_name("mean_standard_deviation", parameter.dimension)] = json_of(parameter.spread, parameter.dimension);
     json["rank_histogram"] = parameter.histogram;
     json["uniform_ranks_differ_by_as_much"] = json_number(parameter.uniformity);
@@ -139,9 +137,8 @@ StudyDocuments document_recovery(const std::vector<MechanismRecovery>& recoverie
         document_mechanism(recovery, folder, report, csv, screen);
         Json& json = documents.json["mechanisms"][recovery.name];
         json["repetitions"] = recovery.counted;
-        json["not_converged"] = recovery.not_converged;
-        json["without_truth"] = recovery.without_truth;
-        json["profile_left_out"] = recovery.profile_left_out;
+        put<&MechanismRecovery::not_converged, &MechanismRecovery::without_truth, &MechanismRecovery::profile_left_out>(
+            json, recovery);
         json["parameters"] = Json::object();
         for (const ParameterRecovery& parameter : recovery.parameters) {
             json["parameters"][parameter.name] = json_of(parameter);

@@ -35,7 +35,7 @@ std::string percent(double share);
 std::string percent_range(const Interval& interval);
 // "1.34 (1.33 to 1.35)"; `unit` is the SI value of the unit shown.
 std::string with_interval(const Estimate& estimate, double unit);
-Json json_of(const Estimate& estimate, double unit);
+Json json_of(const Estimate& estimate, Dimension dimension);
 Json json_of(const EvaluationCount& count);
 std::string evaluations_in_words(const EvaluationCount& count);
 

@@ -45,14 +45,12 @@ Table causes_table(const StudySubject& subject, const PropagationResult& result)
 
 void document_failure(const StudySubject& subject, const FailureProbability& failure, const PropagationResult& result,
                       Report& report, Json& json) {
-    json["probability"] = failure.probability ? json_of(*failure.probability, 1) : Json(nullptr);
+    put<&FailureProbability::probability>(json, failure);
     if (failure.probability) {
         json["interval_by"] = word_of(failure.method);
     }
-    json["failed"] = failure.failed;
-    json["decided"] = failure.decided;
-    json["least"] = failure.least;
-    json["greatest"] = failure.greatest;
+    put<&FailureProbability::failed, &FailureProbability::decided, &FailureProbability::least,
+        &FailureProbability::greatest>(json, failure);
     std::string text = probability_in_words(failure) + ". " + std::to_string(failure.failed) +
                        (failure.failed == 1 ? " sample has failed." : " samples have failed.");
     if (failure.probability) {
@@ -120,9 +118,7 @@ void document_samples(const StudySubject& subject, const PropagationResult& resu
     report.blocks.emplace_back(Paragraph{method_in_words(*subject.study.propagation) + "."});
     json["status"] = word_of(result.status);
     json["method"] = word_of(subject.study.propagation->method);
-    json["samples"] = result.samples;
-    json["with_value"] = result.with_value;
-    json["evaluations"] = json_of(result.evaluations);
+    put<&PropagationResult::samples, &PropagationResult::with_value, &PropagationResult::evaluations>(json, result);
     if (result.failure) {
         document_failure(subject, *result.failure, result, report, json["failure"]);
     }
@@ -136,10 +132,9 @@ void document_samples(const StudySubject& subject, const PropagationResult& resu
                    {"no sample has a value"}});
         return;
     }
-    const double unit = display_unit(subject.quantity.dimension).si_per_unit;
     const double shown = shown_unit(subject.quantity.dimension).si_per_unit;
-    json[subject.column("mean")] = json_of(result.mean, unit);
-    json[subject.column("standard_deviation")] = json_number(result.standard_deviation / unit);
+    json[subject.column("mean")] = json_of(result.mean, subject.quantity.dimension);
+    json[subject.column("standard_deviation")] = json_number(result.standard_deviation / subject.unit());
     json[subject.column("least")] = json_number(subject.shown(result.least));
     json[subject.column("greatest")] = json_number(subject.shown(result.greatest));
     Table table{"Of the samples with a value", {{"", false}, {human_name(subject.quantity.name), true}}};
@@ -198,15 +193,12 @@ void document_reliability(const StudySubject& subject, const ReliabilityResult& 
             (result.points.size() == 1 ? " point" : " distinct points") + " of the limit surface. " +
             evaluations_in_words(result.evaluations);
     report.blocks.emplace_back(Paragraph{std::move(text)});
-    json["status"] = word_of(result.status);
-    json["starts"] = result.starts;
-    json["converged_starts"] = result.converged_starts;
-    json["evaluations"] = json_of(result.evaluations);
+    put<&ReliabilityResult::status, &ReliabilityResult::starts, &ReliabilityResult::converged_starts,
+        &ReliabilityResult::evaluations>(json, result);
     if (result.points.empty()) {
         return;
     }
-    json["reliability_index"] = result.reliability_index;
-    json["probability_of_failure"] = result.probability_of_failure;
+    put<&ReliabilityResult::reliability_index, &ReliabilityResult::probability_of_failure>(json, result);
     const DesignPoint& nearest = result.points.front();
     Table table{"Design point: the likeliest way to fail",
                 {"parameter", "design point"_number, "standard deviations from the median"_number, "alpha"_number,
@@ -216,8 +208,7 @@ void document_reliability(const StudySubject& subject, const ReliabilityResult& 
     for (std::size_t number = 0; number < result.points.size(); ++number) {
         const DesignPoint& point = result.points[number];
         Json entry;
-        entry["reliability_index"] = point.reliability_index;
-        entry["converged"] = point.converged;
+        put<&DesignPoint::reliability_index, &DesignPoint::converged>(entry, point);
         entry["starts"] = point.hits;
         for (std::size_t index = 0; index < subject.names.size(); ++index) {
             const Dimension dimension = subject.dimensions[index];

@@ -79,9 +79,7 @@ std::vector<std::string> findings(const StudySubject& subject, const Sensitivity
     }
     if (result.sobol_indices && result.sobol_indices->status == SobolIndicesStatus::found) {
         const auto& indices = result.sobol_indices->parameters;
-        const auto most = std::max_element(indices.begin(), indices.end(), [](const auto& one, const auto& other) {
-            return one.total.value < other.total.value;
-        });
+        const auto most = std::ranges::max_element(indices, {}, [](const SobolIndex& one) { return one.total.value; });
         const SobolIndicesResult& found = *result.sobol_indices;
         sentences.push_back(
             subject.names[static_cast<std::size_t>(most - indices.begin())] + " matters most: it has a part in " +
@@ -118,9 +116,7 @@ StudySubject::StudySubject(const SensitivityProblem& problem)
     });
     for (const UncertainParameter& parameter : study.parameters) {
         names.push_back(parameter.name);
-        const auto input = std::find_if(problem.model.inputs.begin(), problem.model.inputs.end(),
-                                        [&](const Quantity& candidate) { return candidate.name == parameter.name; });
-        dimensions.push_back(input->dimension);
+        dimensions.push_back(find_quantity(problem.model.inputs, parameter.name)->dimension);
     }
     swept.push_back(quantity.dimension);
     if (study.sweep) {
@@ -145,7 +141,8 @@ std::string with_interval(const Estimate& estimate, double unit) {
            number_in_words(estimate.interval_95.upper / unit) + ")";
 }
 
-Json json_of(const Estimate& estimate, double unit) {
+Json json_of(const Estimate& estimate, Dimension dimension) {
+    const double unit = display_unit(dimension).si_per_unit;
     Json json;
     json["value"] = json_number(estimate.value / unit);
     json["interval_95"] =

@@ -237,9 +237,9 @@ void document_morris(const StudySubject& subject, const MorrisResult& result, co
                      effect.mean / unit, effect.standard_deviation.value / unit,
                      effect.standard_deviation.interval_95.lower / unit,
                      effect.standard_deviation.interval_95.upper / unit, static_cast<double>(effect.effects)});
-        entry["mean_absolute"] = json_of(effect.mean_absolute, unit);
+        entry["mean_absolute"] = json_of(effect.mean_absolute, subject.quantity.dimension);
         entry["mean"] = json_number(effect.mean / unit);
-        entry["standard_deviation"] = json_of(effect.standard_deviation, unit);
+        entry["standard_deviation"] = json_of(effect.standard_deviation, subject.quantity.dimension);
     }
     folder.write("morris.csv", csv.text());
     json["evaluations"] = json_of(result.evaluations);
@@ -250,9 +250,7 @@ void document_morris(const StudySubject& subject, const MorrisResult& result, co
 void document_indices(const StudySubject& subject, const SobolIndicesResult& result, const ResultFolder& folder,
                       Report& report, Json& json) {
     report.blocks.emplace_back(Heading{"Shares of the variance (Sobol indices)"});
-    json["status"] = word_of(result.status);
-    json["evaluations"] = json_of(result.evaluations);
-    json["rows"] = result.rows;
+    put<&SobolIndicesResult::status, &SobolIndicesResult::evaluations, &SobolIndicesResult::rows>(json, result);
     json["rows_left_out"] = result.rows_without;
     if (result.status != SobolIndicesStatus::found) {
         report.blocks.emplace_back(
@@ -278,7 +276,7 @@ void document_indices(const StudySubject& subject, const SobolIndicesResult& res
         table.rows.push_back({subject.names[index], with_interval(first, 1), with_interval(total, 1)});
         csv.add_row({subject.names[index], first.value, first.interval_95.lower, first.interval_95.upper, total.value,
                      total.interval_95.lower, total.interval_95.upper});
-        json["parameters"][subject.names[index]] = {{"first", json_of(first, 1)}, {"total", json_of(total, 1)}};
+        put<&SobolIndex::first, &SobolIndex::total>(json["parameters"][subject.names[index]], result.parameters[index]);
         sum += first.value;
     }
     table.rows.push_back({"sum", number_in_words(sum), ""});

@@ -80,13 +80,8 @@ Json json_of_surrogate(const MechanismFit& fit) {
     json["coarse_runs"] = surrogate.coarse_runs;
     json["hopeless_points"] = std::ranges::count_if(surrogate.runs, &SurrogateFit::Run::coarse);
     json["runs_without_answer"] = runs_without_answer(surrogate);
-    json["components"] = surrogate.components;
-    json["error"] = json_number(surrogate.error);
-    json["within_95"] = json_number(surrogate.within_95);
-    json["scatter"] = json_number(surrogate.scatter);
-    json["evidence_error"] = json_number(surrogate.evidence_error);
-    json["given_up"] = surrogate.given_up;
-    json["misfit_of_run"] = json_number(surrogate.misfit_of_run);
+    put<&SurrogateFit::components, &SurrogateFit::error, &SurrogateFit::within_95, &SurrogateFit::scatter,
+        &SurrogateFit::evidence_error, &SurrogateFit::given_up, &SurrogateFit::misfit_of_run>(json, surrogate);
     if (surrogate.jump) {
         Json& jump = json["jump"];
         for (std::size_t index = 0; index < fit.parameters.size(); ++index) {

@@ -23,10 +23,9 @@ struct StatedImpossibility {
     std::string words;
     static constexpr auto fields() {
         using S = StatedImpossibility;
-        return std::tuple{section("model", &S::model, "word of the model"),
-                          section("check", &S::check, "name of the check that failed"),
-                          with_default(section("keys", &S::keys, "keys that may be to blame")),
-                          section("words", &S::words, "what is wrong")};
+        return std::tuple{section<&S::model>("word of the model"), section<&S::check>("name of the check that failed"),
+                          with_default(section<&S::keys>("keys that may be to blame")),
+                          section<&S::words>("what is wrong")};
     }
 };
 

@@ -59,6 +59,26 @@ Json json_of(double value, Dimension dimension);
 Json json_of_matrix(const Eigen::MatrixXd& matrix);
 // [lower, upper], in display units.
 Json json_of(const Interval& interval, Dimension dimension);
+// A member of a result: a number in its display unit, an enumerator by its word, null for what is absent.
+template <class Value>
+Json json_of_member(const Value& value, Dimension dimension) {
+    if constexpr (std::is_enum_v<Value>) {
+        return word_of(value);
+    } else if constexpr (is_optional<Value>) {
+        return value ? json_of_member(*value, dimension) : Json(nullptr);
+    } else if constexpr (!std::is_integral_v<Value> && requires { json_of(value, dimension); }) {
+        return json_of(value, dimension);
+    } else if constexpr (requires { json_of(value); }) {
+        return json_of(value);
+    } else {
+        return value;
+    }
+}
+// Puts members of a result into JSON, each under its name in C++.
+template <auto... member, class Result>
+void put(Json& json, const Result& result, Dimension dimension = Dimension::ratio) {
+    ((json[std::string(detail::spelling<member>())] = json_of_member(result.*member, dimension)), ...);
+}
 // Indented, with a line end. Bytes that are not UTF-8, which a file name may contain, are replaced.
 std::string json_text(const Json& json);
 
