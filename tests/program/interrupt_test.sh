@@ -235,8 +235,8 @@ title "Ctrl-C in work that never asks for it: sections of many blocks that are c
 fine_section=$source_folder/cases/relaxation/base_friction_slope.toml
 # The case is checked many times, so that even a fast machine is still at work when the signal comes.
 mapfile -t many < <(yes "$fine_section" | head -n 50)
-setsid "$program" check "${many[@]}" --set 'scene.cut[1].trace.spacing="0.75 mm"' \
-    --set 'scene.cut[2].trace.spacing="0.75 mm"' >"$scratch/out" 2>"$scratch/err" </dev/null &
+setsid "$program" check "${many[@]}" --set 'scene.cut[1].trace.spacing="1 mm"' \
+    --set 'scene.cut[2].trace.spacing="1 mm"' >"$scratch/out" 2>"$scratch/err" </dev/null &
 child=$!
 sleep 1
 expect "it is still at it" kill -0 "$child"
