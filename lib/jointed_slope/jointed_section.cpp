@@ -137,10 +137,10 @@ void collect(const CuttingWork& work, JointedSection& section) {
 JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
                          const std::vector<std::string>& joints) {
     JointedSection section;
-    const auto refuse = [&](SlopeCheck check, std::size_t cut = 0) {
+    const auto refuse = [&](SlopeCheck check, std::size_t index = 0) {
         JointedSection refused;
         refused.check = check;
-        refused.index_at_fault = cut;
+        refused.index_at_fault = index;
         return refused;
     };
     if (!in_range(geometry)) {

@@ -143,26 +143,24 @@ class PathSearch {
         return scene;
     }
 
-    // Where the blocks may come to rest before strength is reduced or weight increased, in the order tried. One that
-    // stands as given fails at some multiple of that; one that does not is treated alike: it rests at the greatest of
-    // 1/2, 1/4, ... at which it does, so that its answer hangs on the lower bound of the search as little as possible.
-    std::vector<double> consolidation_ratios() const {
+    // The values at which the blocks may come to rest first, in the order in which they are tried. Blocks that do not
+    // stand as given are kept as near to failure as those that do: they rest at the greatest of 1/2, 1/4, ... at which
+    // they can, since forces that jam them would stay from a strength far greater than their own.
+    std::vector<double> consolidation_values() const {
         if (!plan_.is_ratio() || plan_.upper < own_ratio) {
             return {plan_.should_stand()};
         }
-        std::vector<double> ratios{own_ratio};
-        for (double half = own_ratio / 2; half > plan_.lower; half /= 2) {
-            ratios.push_back(half);
+        std::vector<double> values;
+        for (double ratio = own_ratio; ratio > plan_.lower; ratio /= 2) {
+            values.push_back(ratio);
         }
-        if (plan_.lower < own_ratio) {
-            ratios.push_back(plan_.lower);
-        }
-        return ratios;
+        values.push_back(std::min(plan_.lower, own_ratio));
+        return values;
     }
 
     // Returns nothing, and sets the status, if the blocks come to rest at none of these.
     std::optional<CriticalProbe> consolidate(PathValue& value) {
-        for (const double at : consolidation_ratios()) {
+        for (const double at : consolidation_values()) {
             const CriticalProbe probe = probe_at(at, Begin::at_start);
             if (probe.outcome == RelaxationOutcome::equilibrium) {
                 value.consolidated_at = at;

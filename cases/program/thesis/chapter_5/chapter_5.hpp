@@ -42,7 +42,8 @@ std::pair<double, double> bisect(double low, double high, double accuracy, const
 // CX over the cycles, by the clean engine too where the block does not fail there, with the printed cycles until rest.
 Figure swings_figure(const std::string& title, const std::vector<Chapter5Run>& runs, int cycles);
 
-// What columns do at the end: "1 slides, 2-5 topple and 6-8 stay", and whether that is printed.
+// The first says what columns do at the end, "1 slides, 2-5 topple and 6-8 stay"; the second, whether that is what is
+// printed.
 std::string behaviour_in_words(const Chapter5Run& run, const HockingResult& result);
 bool behaves_as_printed(const Chapter5Run& run, const HockingResult& result);
 

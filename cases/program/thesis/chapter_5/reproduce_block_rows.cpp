@@ -69,7 +69,7 @@ void crack_of_the_tilting_frame(Chapter5Item& item) {
                                 "", statement(all_crack), cracks[1]});
 }
 
-// Of the stepped base: the first joint to open, and the widest at the end.
+// Tells which joint of the stepped base opens first, and which is the widest at the end.
 void tension_cracks(Chapter5Item& item) {
     constexpr std::size_t fifth = 4;
     for (const Chapter5Run& run : item.runs) {

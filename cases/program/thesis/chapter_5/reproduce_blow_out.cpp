@@ -72,7 +72,7 @@ int over_inclinations(const Chapter5Run& run, double slenderness, double coordin
     return blow_outs(results).count;
 }
 
-// Of the slot of block 1's uphill foot against block 2; `before` is the cycle before.
+// Rows on the slot that serves block 1's uphill foot against block 2; `before` is printed in the cycle before.
 std::vector<std::vector<std::string>> mechanism(const Chapter5Run& run, const HockingFaceChange& change,
                                                 const HockingPrint& before) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);

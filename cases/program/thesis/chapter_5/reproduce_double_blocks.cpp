@@ -139,7 +139,7 @@ void backward_sliding(Chapter5Item& item) {
 
 namespace {
 
-// Of block 1.
+// The displacement of block 1 since the start.
 double displacement(const HockingResult& result, const HockingPrint& print) {
     return (print.blocks[0].centroid - result.prints.front().blocks[0].centroid).norm();
 }
@@ -154,7 +154,7 @@ double reference_of(const std::vector<Chapter5Run>& runs) {
     return displacement(first, print_at(first, runs.front().printed_cycle.value_or(0)));
 }
 
-// What is said of the cycles at which some of the runs have one displacement.
+// A statement on the cycles at which some of the runs have the same displacement.
 struct Observation {
     std::string name;
     std::string what;
@@ -227,7 +227,7 @@ void observations(Chapter5Item& item) {
     const double reference = reference_of(runs);
     std::vector<HockingResult> histories;
     std::vector<HockingResult> clean_histories;
-    // By start and run; nothing where a run blows out.
+    // The cycle for each start and run; nothing where a run blows out.
     std::vector<std::vector<std::optional<int>>> shifted(static_cast<std::size_t>(item.starts));
     for (const Chapter5Run& run : runs) {
         histories.push_back(compute(run, Engine::recreated));

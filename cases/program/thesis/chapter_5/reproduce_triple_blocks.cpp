@@ -19,8 +19,8 @@ int first(const HockingResult& result, int block, BaseSliding sense) {
     return first_sliding(result, static_cast<std::size_t>(block) - 1, sense).value_or(never);
 }
 
-std::string cycle_in_words(int cycle) {
-    return cycle == never ? "never" : std::to_string(cycle);
+std::string cycle_in_words(const HockingResult& result, int block, BaseSliding sense) {
+    return in_words(first_sliding(result, static_cast<std::size_t>(block) - 1, sense));
 }
 
 // Within a print edit to either side.
@@ -28,7 +28,7 @@ bool about(int cycle, int printed) {
     return cycle >= printed - 100 && cycle <= printed + 100;
 }
 
-// What is printed of single blocks of a run.
+// A printed statement on single blocks of a run.
 struct SlidingStatement {
     std::string run;
     std::string what;
@@ -45,25 +45,23 @@ const std::vector<SlidingStatement>& statements() {
          [](Run run, Result of) { return in_words(totals_of(run, of)[0]) + "; " + in_words(totals_of(run, of)[1]); },
          [](Run, Result of) { return first(of, 1, backward) == never && first(of, 2, backward) == never; }},
         {"(i)", "block 3 slides forward first, backward from cycle", "in the end",
-         [](Run, Result of) {
-             return cycle_in_words(first(of, 3, forward)) + ", " + cycle_in_words(first(of, 3, backward));
-         },
+         [](Run, Result of) { return cycle_in_words(of, 3, forward) + ", " + cycle_in_words(of, 3, backward); },
          [](Run, Result of) {
              return first(of, 3, backward) < never && first(of, 3, forward) < first(of, 3, backward);
          }},
         {"(ii)", "block 1 slides forward from cycle", "400",
-         [](Run, Result of) { return cycle_in_words(first(of, 1, forward)); },
+         [](Run, Result of) { return cycle_in_words(of, 1, forward); },
          [](Run, Result of) { return about(first(of, 1, forward), 400); }},
         {"(ii)", "block 3 slides backward from cycle", "600",
-         [](Run, Result of) { return cycle_in_words(first(of, 3, backward)); },
+         [](Run, Result of) { return cycle_in_words(of, 3, backward); },
          [](Run, Result of) { return about(first(of, 3, backward), 600); }},
         {"(ii)", "block 2 slides backward at cycle", "1500",
-         [](Run, Result of) { return cycle_in_words(first(of, 2, backward)); },
+         [](Run, Result of) { return cycle_in_words(of, 2, backward); },
          [](Run, Result of) { return about(first(of, 2, backward), 1500); }},
         {"(iii)", "blocks 1 forward, 2 forward and 3 backward begin at cycle", "the first of them first",
          [](Run, Result of) {
-             return cycle_in_words(first(of, 1, forward)) + ", " + cycle_in_words(first(of, 2, forward)) + ", " +
-                    cycle_in_words(first(of, 3, backward));
+             return cycle_in_words(of, 1, forward) + ", " + cycle_in_words(of, 2, forward) + ", " +
+                    cycle_in_words(of, 3, backward);
          },
          [](Run, Result of) {
              const int second = first(of, 2, forward);
@@ -116,8 +114,8 @@ void senses_of_three_blocks(Chapter5Item& item) {
                 std::vector{run.name, std::to_string(block), run.printed_behaviour[column]});
             for (const HockingResult& computed : results) {
                 row.push_back(in_words(totals_of(run, computed)[column]));
-                row.push_back(cycle_in_words(first(computed, block, forward)) + ", " +
-                              cycle_in_words(first(computed, block, backward)));
+                row.push_back(cycle_in_words(computed, block, forward) + ", " +
+                              cycle_in_words(computed, block, backward));
             }
             row.push_back(in_words(ranges[column]));
         }
