@@ -46,9 +46,6 @@ struct CuttingWork {
     std::vector<MeshIndex> gouge = {};  // rocks that may be thin
 };
 
-// A fifth more than the largest number that has been run. A check of this many blocks takes a second or two.
-inline constexpr std::size_t most_slope_blocks = 120'000;
-
 PlanePoint<> centroid_of(const SectionMesh& mesh, MeshIndex face);
 
 // The outline's corners from the first one on, anticlockwise, without repetitions; faults and counts are stored in

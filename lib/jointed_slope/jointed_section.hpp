@@ -22,13 +22,17 @@
 
 namespace delabole {
 
+// A twentieth more than the largest number that has been run: a check of this many takes a second or two, and less than
+// ten under the sanitizers.
+inline constexpr std::size_t most_slope_blocks = 105'000;
+
 enum class SlopeCheck {
     valid,
     number_out_of_range,         // not finite, or outside the range of its field
     outline_too_short,           // fewer than three corners
     outline_crosses_itself,      // or touches itself
     snap_distance_out_of_range,  // less than 4e-6 of the section's size, or more than a quarter of a spacing
-    too_many_blocks,             // more than 120 000, counted before each set is cut, or 60 000 joints of a set
+    too_many_blocks,             // more than `most_slope_blocks`, counted before each set is cut
     line_too_short,              // fewer than two points apart
     line_folds_back,             // turns by more than about 150 deg
     region_too_short,

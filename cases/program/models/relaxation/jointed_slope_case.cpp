@@ -85,7 +85,8 @@ std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
         return SlopeComplaint{"scene.snap_distance",
                               "must be at least 4e-6 of the section's size and at most a quarter of the least spacing"};
     case SlopeCheck::too_many_blocks:
-        return SlopeComplaint{trace + ".spacing", "must be larger: it would make more than 120 000 blocks"};
+        return SlopeComplaint{trace + ".spacing", "must be larger: it would make more than " +
+                                                      std::to_string(most_slope_blocks) + " blocks"};
     case SlopeCheck::line_too_short:
         return SlopeComplaint{trace + ".vertex", "needs at least two points apart from each other"};
     case SlopeCheck::line_folds_back:
