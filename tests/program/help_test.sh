@@ -51,6 +51,6 @@ for command in "" "${commands[@]}"; do
         expect_only_progress
     done
 done
-expect "the examples left results" test -s tree/results/delabole_1967/result.json
+expect "the examples left results" test -s tree/results/wyllie_mah_7_1/result.json
 
 finish

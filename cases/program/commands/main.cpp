@@ -255,7 +255,7 @@ struct Program {
             "fit", "Back-analyse a failure: what its evidence determines, fitted parameters, ranking of mechanisms",
             "Case file with a [fit] section");
         complete(fit, common | output | threads | seed | store,
-                 "fit cases/delabole_1967/delabole_1967.toml --out results/delabole_1967", delabole::fit_command,
+                 "fit cases/delabole_1967/delabole_1967.toml --mechanism critical_sliding", delabole::fit_command,
                  one_case, true);
         fit->add_option("--mechanism", options.mechanisms, "Fit this mechanism only; may be given again")
             ->type_name("NAME");
@@ -267,7 +267,7 @@ struct Program {
             "recover", "Whether a back-analysis finds known parameters again: coverage of its intervals, bias, ranks",
             "Case file with a [fit] section");
         complete(recover, common | output | threads | seed | store,
-                 "recover cases/delabole_1967/delabole_1967.toml --repetitions 4", delabole::recover_command, one_case,
+                 "recover cases/delabole_1967/given_surface.toml --repetitions 4", delabole::recover_command, one_case,
                  true);
         recover->add_option("--repetitions", options.repetitions, "Data sets to make and to fit; 100 by default")
             ->check(CLI::Range(2, 1'000'000))
