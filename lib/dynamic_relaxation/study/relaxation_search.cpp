@@ -104,6 +104,12 @@ class PathSearch {
         return value;
     }
 
+    // A single run from the initial geometry, of so many steps at most.
+    CriticalProbe run_at(double value, std::uint64_t most_steps) {
+        settings_.most_steps = std::min(settings_.most_steps, static_cast<std::size_t>(most_steps));
+        return probe_at(value, Begin::at_start);
+    }
+
     // Sets the watch, which receives the share of the path's work done, including that of the present run.
     void tell(const std::function<bool(double)>& watch) { watch_ = watch; }
 
@@ -385,6 +391,28 @@ CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work
         }
     }
     return answer;
+}
+
+std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const CriticalAnswer& found,
+                                        const RelaxationWatch& watch) {
+    const CriticalPlan plan = critical_plan(study);
+    if (found.status != CriticalStatus::found || plan.path.size() != 1 || found.path != LoadingPath::consolidated ||
+        !plan.is_ratio()) {
+        return std::nullopt;
+    }
+    constexpr double milder = 0.98;
+    constexpr std::uint64_t fewest_steps = 1000;
+    StudyWork work;
+    work.watch = watch;
+    StudyProgress whole;
+    SearchProgress progress;
+    PathSearch search(study, plan, LoadingPath::preloaded, work, whole, progress);
+    const double value = milder * found.stands;
+    const RelaxationOutcome outcome = search.run_at(value, std::max(found.steps, fewest_steps)).outcome;
+    const bool stands = outcome == RelaxationOutcome::equilibrium;
+    const bool fails = outcome == RelaxationOutcome::onset || outcome == RelaxationOutcome::collapse ||
+                       outcome == RelaxationOutcome::held_by_corners;
+    return stands || fails ? std::optional(OtherPath{value, stands}) : std::nullopt;
 }
 
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work) {

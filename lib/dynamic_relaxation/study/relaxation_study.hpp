@@ -291,6 +291,17 @@ struct CriticalAnswer : PathValue {
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work = {});
 
+// A run that tells whether the ratio found depends on the loading path: 2 % below the one at which the blocks were
+// found to stand, from a consolidated state, on the path `preloaded`, which has no history.
+struct OtherPath {
+    double value;
+    bool stands;
+};
+// Nothing where the search was on other paths, too, or on another one, found no value, or this run reached no verdict
+// in as many steps as the search, at least a thousand.
+std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const CriticalAnswer& found,
+                                        const RelaxationWatch& watch = {});
+
 // All outputs of a run, as named numbers.
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);
 

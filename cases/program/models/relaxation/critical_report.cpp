@@ -269,7 +269,11 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
                                                           : AnswerTone::good,
                       search_sentences(*answer.plan, critical),
                       {}};
-        head.sentences.push_back("With the strength and loads as given: " + continued(end_in_words(made)));
+        head.sentences.push_back(
+            answer.other_path && !answer.other_path->stands
+                ? "It depends on the loading path: with all loads at once the blocks fail at " +
+                      value_in_words(answer.other_path->value, dimension_of(answer.plan->parameter)) + " already."
+                : "With the strength and loads as given: " + continued(end_in_words(made)));
         return head;
     }
     HeadCard head{tone_of(made), {end_in_words(made)}, {}};
@@ -291,7 +295,8 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
     return head;
 }
 
-void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical) {
+void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical,
+                     const std::optional<OtherPath>& other_path) {
     const bool found = critical.status == CriticalStatus::found;
     const std::vector<Quantity> names = outputs_of_search(plan);
     const Dimension dimension = dimension_of(plan.parameter);
@@ -339,7 +344,13 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
         critical.worst_status() == CriticalStatus::found) {
         append(names.back().name, names.back().meaning, dimension, critical.spread(), false);
     }
-    if (critical.consolidated_at && plan.is_ratio() && *critical.consolidated_at < 1 && plan.upper >= 1) {
+    if (other_path && !other_path->stands) {
+        analysis.warnings.push_back("with all loads at once the blocks fail at " +
+                                    value_in_words(other_path->value, dimension) +
+                                    ", at which they stand after they were consolidated: the value found depends on "
+                                    "the loading path; critical.paths = \"all\" tells how much");
+    } else if (critical.consolidated_at && plan.is_ratio() && *critical.consolidated_at < 1 && plan.upper >= 1 &&
+               !other_path) {
         analysis.warnings.push_back(
             "the blocks do not stand as the case has them: they were consolidated at a factor of " +
             number_in_words(*critical.consolidated_at) +

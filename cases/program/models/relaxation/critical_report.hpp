@@ -19,7 +19,8 @@ struct FailingBlocks {
 // The blocks that had begun to move when a run ended.
 FailingBlocks failing_blocks(const RelaxationRun& failed);
 
-void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical);
+void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical,
+                     const std::optional<OtherPath>& other_path);
 
 // Why the search has no answer on one of its paths; empty if it has one on each path.
 std::string search_in_words(const CriticalPlan& plan, const CriticalAnswer& critical);

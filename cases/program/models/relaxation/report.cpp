@@ -300,6 +300,7 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
         };
         answer.plan = critical_plan(study);
         answer.critical = find_critical(study, how, progress);
+        answer.other_path = try_other_path(study, *answer.critical, [&](double) { return how.watch(1); });
         answer.bound_of_statics = bound_of_statics(study.model.scene, *answer.plan, answer.run.scene);
     }
     const bool has_answer = outcome != RelaxationOutcome::interrupted && run_in_words(answer.run).empty() &&
@@ -338,7 +339,7 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
     };
     leave_unfinished(word_of(made.result.outcome), run_in_words(made));
     if (answer.critical) {
-        append_critical(analysis, *answer.plan, *answer.critical);
+        append_critical(analysis, *answer.plan, *answer.critical, answer.other_path);
         if (answer.bound_of_statics) {
             append_bound_of_statics(*answer.bound_of_statics, *answer.critical, analysis);
         }

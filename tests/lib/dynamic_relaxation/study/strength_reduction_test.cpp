@@ -60,6 +60,27 @@ TEST(StrengthReduction, ABlockOnAPlaneSlidesAtTheRatioOfTangents) {
     }
 }
 
+TEST(StrengthReduction, AFactorFromAConsolidatedStateIsTriedWithoutItsHistory) {
+    RelaxationStudy study = squat_block(degrees(30), degrees(40));
+    const CriticalAnswer found = find_critical(study);
+    const auto tried = try_other_path(study, found);
+    ASSERT_TRUE(tried);
+    EXPECT_TRUE(tried->stands);
+    EXPECT_EQ(tried->value, 0.98 * found.stands);
+    CriticalAnswer jammed = found;  // as if forces of its history held the block beyond its friction
+    jammed.stands = 1.1 * found.fails;
+    ASSERT_TRUE(try_other_path(study, jammed));
+    EXPECT_FALSE(try_other_path(study, jammed)->stands);
+    CriticalAnswer without = found;
+    without.status = CriticalStatus::undecided;
+    EXPECT_FALSE(try_other_path(study, without));
+    CriticalAnswer preloaded = found;
+    preloaded.path = LoadingPath::preloaded;
+    EXPECT_FALSE(try_other_path(study, preloaded));
+    std::get<ReductionSearch>(*study.critical).paths = PathChoice::all;
+    EXPECT_FALSE(try_other_path(study, found));
+}
+
 TEST(StrengthReduction, CohesionIsDividedLikeFriction) {
     const double tilt = degrees(35);
     const double cohesion = 10e3;
