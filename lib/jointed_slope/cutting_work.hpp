@@ -40,6 +40,7 @@ struct CuttingWork {
     SectionMesh mesh;
     PlanePoint<> origin;
     double snap;
+    PlanePoint<> datum;  // from which the offsets of sets are measured, if they name no point
     std::vector<DrawnLine> drawn = {};
     std::map<std::string, Polyline, std::less<>> line = {};  // towards +x
     std::map<std::string, CutSet, std::less<>> set = {};

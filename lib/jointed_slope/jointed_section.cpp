@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace delabole {
 
@@ -109,6 +110,51 @@ class Cutter {
     SlopeCheck check_ = SlopeCheck::valid;
 };
 
+// Height of a point over the line from one point to another, normal to it.
+double height_over(const PlanePoint<>& from, const PlanePoint<>& to, const PlanePoint<>& point) {
+    const PlanePoint<> along = (to - from).normalized();
+    const PlanePoint<> reach = point - from;
+    return along.x() * reach.y() - along.y() * reach.x();
+}
+
+// The toe of an anticlockwise outline: the corner of the ground farthest below the line from its front end to its
+// crest, which is its corner farthest above the line between its ends; the front end if none lies below by more than
+// `near`.
+PlanePoint<> toe_of(const Polygon<>& outline, double near) {
+    const auto front = std::ranges::min_element(
+        outline, {}, [](const PlanePoint<>& point) { return std::pair(point.x(), -point.y()); });
+    const auto rear = std::ranges::max_element(
+        outline, {}, [](const PlanePoint<>& point) { return std::pair(point.x(), point.y()); });
+    Polygon<> ground;  // from the front end into the slope
+    for (auto corner = front; corner != rear; corner = std::prev(corner == outline.begin() ? outline.end() : corner)) {
+        ground.push_back(*corner);
+    }
+    ground.push_back(*rear);
+    const auto crest = std::ranges::max_element(
+        ground, {}, [&](const PlanePoint<>& corner) { return height_over(*front, *rear, corner); });
+    if (crest == ground.begin()) {
+        return *front;
+    }
+    return *std::min_element(ground.begin(), crest, [&](const PlanePoint<>& one, const PlanePoint<>& other) {
+        return height_over(*front, *crest, one) < height_over(*front, *crest, other) - near;
+    });
+}
+
+// The origin of the section's coordinates, or the toe of an outline that does not reach there. Both are relative to its
+// first corner, which lies at `first`.
+PlanePoint<> datum_of(const Polygon<>& outline, const PlanePoint<>& first) {
+    const PlanePoint<> origin = -first;
+    const double near = least_snap * size_of(outline);
+    const auto holds = [&](const auto& coordinate) {
+        const auto [least, greatest] = std::ranges::minmax(outline, {}, coordinate);
+        return coordinate(least) <= coordinate(origin) + near && coordinate(origin) <= coordinate(greatest) + near;
+    };
+    return holds([](const PlanePoint<>& point) { return point.x(); }) &&
+                   holds([](const PlanePoint<>& point) { return point.y(); })
+               ? origin
+               : toe_of(outline, near);
+}
+
 void collect(const CuttingWork& work, JointedSection& section) {
     const SectionMesh& mesh = work.mesh;
     std::vector<MeshIndex> number(mesh.points().size(), no_index);
@@ -168,7 +214,7 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
         });
         return refuse(SlopeCheck::outline_crosses_itself, static_cast<std::size_t>(corner - geometry.outline.begin()));
     }
-    CuttingWork work{SectionMesh(outline, 0), origin, section.snap_distance};
+    CuttingWork work{SectionMesh(outline, 0), origin, section.snap_distance, datum_of(outline, origin)};
     divide_into_convex(work.mesh, work.snap);
     Cutter cutter(work, rocks, joints);
     for (std::size_t index = 0; index < geometry.cut.size(); ++index) {

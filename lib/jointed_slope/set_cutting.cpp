@@ -158,8 +158,8 @@ CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& se
     CutCount count;
     SectionMesh& mesh = work.mesh;
     const StraightLine upright = line_of_dip(set.dip);
-    const SectionPoint through = set.through.value_or(SectionPoint{0, 0});
-    const PlanePoint<> anchor = PlanePoint<>(through.x, through.y) - work.origin;
+    const PlanePoint<> anchor =
+        set.through ? PlanePoint<>(PlanePoint<>(set.through->x, set.through->y) - work.origin) : work.datum;
     const std::uint64_t seed = static_cast<std::uint64_t>(set.seed.value_or(static_cast<double>(number + 1)));
     Extent extent;
     for (const PlanePoint<>& point : mesh.points()) {

@@ -61,7 +61,8 @@ struct JointSetCut {
             number<&S::scatter>(right_open(0, 1), "of the spacing, greatest share more or less; absent: none"),
             number<&S::offset>(Dimension::length, within(-1e12, 1e12),
                                "of one joint from the point, downwards and normal to the joints; absent: 0"),
-            section<&S::through>("point from which the offset is measured; absent: the toe, (0, 0)"),
+            section<&S::through>("point from which the offset is measured; absent: (0, 0), or the toe of a section "
+                                 "that does not reach there"),
             number<&S::persistence>(left_open(0, 1), "length of traces over that of traces and gaps; absent: 1"),
             number<&S::trace_length>(Dimension::length, more_than(0),
                                      "of each trace; needed where the persistence is below 1"),

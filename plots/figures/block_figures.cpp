@@ -70,9 +70,10 @@ class BlockPicture {
     explicit BlockPicture(const BlockDrawing& drawing) : drawing_(prepared(drawing)) {}
 
     Figure draw() {
+        const bool from_toe = reaches_origin();
         figure_ = {.title = drawing_.title,
-                   .x = {.title = "distance from the toe", .unit = "m", .grid = false},
-                   .y = {.title = drawing_.toe_elevation != 0 ? "elevation" : "height above the toe",
+                   .x = {.title = from_toe ? "distance from the toe" : "x", .unit = "m", .grid = false},
+                   .y = {.title = from_toe && drawing_.toe_elevation == 0 ? "height above the toe" : "elevation",
                          .unit = "m",
                          .grid = false},
                    .equal_scales = true,
@@ -110,6 +111,20 @@ class BlockPicture {
   private:
     std::vector<const Polyline*> lines() const {
         return {&drawing_.base, &drawing_.ground, &drawing_.water, &drawing_.tension_crack};
+    }
+
+    // Whether the toe may be the origin: the blocks of a section that was drawn in the coordinates of a survey lie far
+    // from it.
+    bool reaches_origin() const {
+        Frame drawn;
+        for (const DrawnBlock& block : drawing_.blocks) {
+            drawn.include(block.outline);
+        }
+        const double near = 0.01 * std::max(drawn.x.size(), drawn.y.size());
+        const auto holds = [&](const Extent& extent, double value) {
+            return extent.lowest - near <= value && value <= extent.highest + near;
+        };
+        return drawn.empty() || (holds(drawn.x, 0) && holds(drawn.y, drawing_.toe_elevation));
     }
 
     // A base may extend far beyond the blocks on it; only the part within the surroundings of the free blocks is shown.

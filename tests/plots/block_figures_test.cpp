@@ -61,6 +61,13 @@ TEST(BlockFigure, HasOneLegendForEachModeAndKindOfForcePresent) {
     EXPECT_TRUE(legends(block_figure({.blocks = {{.outline = square(0, 0, 1)}}})).empty()) << "a plain block";
 }
 
+TEST(BlockFigure, SaysThatADrawingFarFromTheOriginIsInCoordinates) {
+    const Figure near = block_figure({.blocks = {{.outline = square(0, 0, 1)}}});
+    EXPECT_EQ(near.x.title + ", " + near.y.title, "distance from the toe, height above the toe");
+    const Figure far = block_figure({.blocks = {{.outline = square(1200, 340, 1)}}});
+    EXPECT_EQ(far.x.title + ", " + far.y.title, "x, elevation");
+}
+
 TEST(BlockFigure, DrawsMetresEquallyLongBothWaysAtTheToesElevation) {
     BlockDrawing drawing = samples::stepped_base();
     const Figure figure = block_figure(drawing);

@@ -35,8 +35,8 @@ says ': slides on both planes.' "$cases/wedge/hoek_bray_complete.toml" --set pla
 
 title "columns"
 says ': fails by toppling.' "$cases/stepped_base/goodman_bray_1976_cable.toml"
-says 'FS 1 takes 2013 kN/m in a cable in column 1 at 0 deg.' "$cases/stepped_base/goodman_bray_1976_cable.toml"
-says 'FS 1 is reached without a cable in column 1 at 0 deg.' "$cases/stepped_base/goodman_bray_1976_cable.toml" \
+says 'FS 1 takes 2013 kN/m in a cable in column 1, 2 m above its base, at 0 deg.' "$cases/stepped_base/goodman_bray_1976_cable.toml"
+says 'FS 1 is reached without a cable in column 1, 2 m above its base, at 0 deg.' "$cases/stepped_base/goodman_bray_1976_cable.toml" \
     --set joints.friction_angle='45 deg' --set bases.friction_angle='45 deg'
 says 'In limiting equilibrium 10 columns topple and 3 columns slide, ' "$cases/stepped_base/goodman_bray_1976.toml"
 says 'm behind the crest.' "$cases/stepped_path/columns_and_wedge.toml"

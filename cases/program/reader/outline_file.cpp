@@ -1,5 +1,6 @@
 #include "cases/program/reader/outline_file.hpp"
 
+#include "cases/program/reader/line_chains.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/reader/ordinary_file.hpp"
 #include "fitting/work/bare_number.hpp"
@@ -7,9 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -40,11 +41,11 @@ std::string_view next_line(std::string_view& text) {
     return line;
 }
 
-struct Chain {
-    std::vector<SectionPoint> point = {};
-    bool closed = false;
-    std::string_view layer = {};
-};
+// Drawing programs do not tell the names of layers apart by case.
+bool same_layer(std::string_view one, std::string_view other) {
+    const auto upper = [](char letter) { return std::toupper(static_cast<unsigned char>(letter)); };
+    return std::ranges::equal(one, other, {}, upper, upper);
+}
 
 // A group code and its value, which a DXF file has on two lines.
 struct Group {
@@ -143,11 +144,12 @@ class DxfReader {
     std::string_view variable_ = {};  // of the header
     std::string_view entity_ = {};
     bool in_polyline_ = false;  // between POLYLINE and SEQEND
-    Chain chain_ = {};
+    LineChain chain_ = {};
     std::string entity_problem_ = {};
     const std::optional<std::string>& wanted_;  // layer
-    std::vector<Chain> chains_ = {};
-    double unit_ = 1;  // m
+    std::vector<LineChain> chains_ = {};
+    std::set<std::string> layers_ = {};  // that have lines
+    double unit_ = 1;                    // m
 };
 
 // A POLYLINE includes its VERTEX entities up to SEQEND; every other entity ends where the next one begins.
@@ -155,7 +157,10 @@ void DxfReader::end_entity() {
     if (in_polyline_) {
         return;
     }
-    if (!wanted_ || chain_.layer == *wanted_) {
+    if (!chain_.point.empty()) {
+        layers_.emplace(chain_.layer.substr(0, 30));
+    }
+    if (!wanted_ || same_layer(chain_.layer, *wanted_)) {
         if (!entity_problem_.empty()) {
             complain(std::move(entity_problem_));
         }
@@ -231,127 +236,25 @@ void DxfReader::take_group() {
     }
 }
 
-// Ends whose distance is less than this share of the drawing's size are the same point.
-constexpr double same_point = 1e-6;
-
-double size_of(const std::vector<Chain>& chains) {
-    double size = 0;
-    const SectionPoint& first = chains.front().point.front();
-    for (const Chain& chain : chains) {
-        for (const SectionPoint& point : chain.point) {
-            size = std::max({size, std::abs(point.x - first.x), std::abs(point.y - first.y)});
-        }
-    }
-    return size;
-}
-
-// The ends of open chains sorted by place, so that a chain that continues from a point is found without checking all
-// others.
-class OpenEnds {
-  public:
-    OpenEnds(const std::vector<Chain>& chains, double near) : chains_(chains), near_(near) {
-        for (std::size_t index = 0; index < chains.size(); ++index) {
-            if (!chains[index].closed) {
-                cells_[cell_of(chains[index].point.front())].insert(index);
-                cells_[cell_of(chains[index].point.back())].insert(index);
-            }
-        }
-    }
-
-    bool meet(const SectionPoint& one, const SectionPoint& other) const {
-        return std::hypot(one.x - other.x, one.y - other.y) <= near_;
-    }
-
-    // The first remaining chain with an end at the point.
-    std::optional<std::size_t> chain_at(const SectionPoint& point) const {
-        std::optional<std::size_t> first;
-        const Cell around = cell_of(point);
-        for (const double column : {-1, 0, 1}) {
-            for (const double row : {-1, 0, 1}) {
-                const auto cell = cells_.find({around.first + column, around.second + row});
-                if (cell == cells_.end()) {
-                    continue;
-                }
-                const auto found = std::ranges::find_if(cell->second, [&](std::size_t index) {
-                    return meet(point, chains_[index].point.front()) || meet(point, chains_[index].point.back());
-                });
-                if (found != cell->second.end() && (!first || *found < *first)) {
-                    first = *found;
-                }
-            }
-        }
-        return first;
-    }
-
-    void remove(std::size_t index) {
-        cells_[cell_of(chains_[index].point.front())].erase(index);
-        cells_[cell_of(chains_[index].point.back())].erase(index);
-    }
-
-  private:
-    using Cell = std::pair<double, double>;
-
-    // Points that coincide lie in the same cell or in two adjacent cells. If all points coincide, there is one cell.
-    Cell cell_of(const SectionPoint& point) const {
-        const double width = 2 * near_;
-        const auto count = [&](double coordinate) { return width > 0 ? std::floor(coordinate / width) : 0; };
-        return {count(point.x), count(point.y)};
-    }
-
-    const std::vector<Chain>& chains_;
-    double near_;
-    std::map<Cell, std::set<std::size_t>> cells_ = {};
-};
-
-// Joins open chains at their ends; chains that do not meet stay separate.
-std::vector<Chain> joined(std::vector<Chain> chains) {
-    OpenEnds ends(chains, same_point * size_of(chains));
-    std::vector<bool> used(chains.size(), false);
-    std::vector<Chain> result;
-    for (std::size_t index = 0; index < chains.size(); ++index) {
-        if (used[index]) {
-            continue;
-        }
-        if (chains[index].closed) {
-            result.push_back(std::move(chains[index]));
-            continue;
-        }
-        ends.remove(index);
-        Chain chain = std::move(chains[index]);
-        while (const std::optional<std::size_t> next = ends.chain_at(chain.point.back())) {
-            ends.remove(*next);
-            used[*next] = true;
-            Chain& other = chains[*next];
-            if (!ends.meet(chain.point.back(), other.point.front())) {
-                std::reverse(other.point.begin(), other.point.end());
-            }
-            chain.point.insert(chain.point.end(), other.point.begin() + 1, other.point.end());
-        }
-        if (chain.point.size() > 3 && ends.meet(chain.point.front(), chain.point.back())) {
-            chain.point.pop_back();
-            chain.closed = true;
-        }
-        result.push_back(std::move(chain));
-    }
-    return result;
-}
-
-// "; they lie on the layers fault and ground: name that of the outline with scene.outline_layer", if there are several.
-std::string layers_in_words(const std::vector<Chain>& chains) {
+std::string layer_names(const std::set<std::string>& layers) {
     constexpr std::size_t most_named = 8;
-    std::set<std::string> layers;
-    for (const Chain& chain : chains) {
-        layers.emplace(chain.layer.substr(0, 30));
-    }
-    if (layers.size() < 2) {
-        return {};
-    }
     std::vector<std::string> named(layers.begin(), layers.end());
     if (named.size() > most_named) {
         named.resize(most_named);
         named.emplace_back("others");
     }
-    return "; they lie on the layers " + list_in_words(named) + ": name that of the outline with scene.outline_layer";
+    return list_in_words(named);
+}
+
+// "; they lie on the layers fault and ground: name that of the outline with scene.outline_layer", if there are several.
+std::string layers_in_words(const std::vector<LineChain>& chains) {
+    std::set<std::string> layers;
+    for (const LineChain& chain : chains) {
+        layers.emplace(chain.layer.substr(0, 30));
+    }
+    return layers.size() < 2 ? ""
+                             : "; they lie on the layers " + layer_names(layers) +
+                                   ": name that of the outline with scene.outline_layer";
 }
 
 OutlineFile DxfReader::read() {
@@ -391,10 +294,11 @@ OutlineFile DxfReader::read() {
     if (problem_.empty() && !ended) {
         complain("is no DXF file, or not a whole one: it does not end with EOF");
     }
-    std::erase_if(chains_, [](const Chain& chain) { return chain.point.size() < 2; });
+    std::erase_if(chains_, [](const LineChain& chain) { return chain.point.size() < 2; });
     if (problem_.empty() && chains_.empty()) {
         complain("has no LINE, LWPOLYLINE or POLYLINE that could be an outline" +
-                 (wanted_ ? " on the layer " + *wanted_ : std::string()));
+                 (wanted_ ? " on the layer " + *wanted_ : std::string()) +
+                 (wanted_ && !layers_.empty() ? "; there are some on " + layer_names(layers_) : std::string()));
     }
     if (problem_.empty() && chains_.size() > most_corners) {
         complain("has more than " + std::to_string(most_corners) + " lines");
@@ -403,12 +307,18 @@ OutlineFile DxfReader::read() {
         return {{}, problem_};
     }
     const std::string layers = layers_in_words(chains_);
-    std::vector<Chain> outlines = joined(std::move(chains_));
+    std::vector<LineChain> outlines = joined(std::move(chains_));
     if (outlines.size() > 1) {
-        return {{}, "has " + std::to_string(outlines.size()) + " separate lines: an outline is one, closed" + layers};
+        const std::string gap = layers.empty() ? gap_in_words(outlines, unit_) : "";
+        return {{},
+                "has " + std::to_string(outlines.size()) + " separate lines: an outline is one, closed" + layers +
+                    (gap.empty() ? "" : "; the narrowest gap between them is " + gap)};
     }
     if (!outlines.front().closed) {
-        return {{}, "has a line that is not closed: its ends do not meet"};
+        return {{}, "has a line that is not closed: the gap between its ends is " + gap_in_words(outlines, unit_)};
+    }
+    if (outlines.front().joined) {
+        turn_anticlockwise(outlines.front().point);
     }
     OutlineFile file;
     for (const SectionPoint& point : outlines.front().point) {

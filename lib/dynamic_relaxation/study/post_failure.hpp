@@ -89,9 +89,10 @@ struct PostFailureAnswer {
         return std::tuple{
             number<&P::failed_area>(Dimension::area, any, "of the section that has failed"),
             number<&P::failed_width>(Dimension::length, any, "of the ground behind the crest, failed"),
-            number<&P::foot_level>(Dimension::length, any, "of the failure, above the toe"),
-            number<&P::knee_level>(Dimension::length, any, "at which lower and upper surface meet, above the toe"),
-            number<&P::top_level>(Dimension::length, any, "of the failure, above the toe"),
+            number<&P::foot_level>(Dimension::length, any,
+                                   "y of the foot of the failure: its height above a toe at (0, 0)"),
+            number<&P::knee_level>(Dimension::length, any, "likewise, where lower and upper surface meet"),
+            number<&P::top_level>(Dimension::length, any, "likewise, of its top"),
             number<&P::lower_angle>(Dimension::angle, any,
                                     "mean inclination of the surface left standing, foot to knee"),
             number<&P::upper_angle>(Dimension::angle, any, "likewise, knee to top"),

@@ -206,7 +206,8 @@ struct SteppedBaseResult {
                                                      "friction angle of joints and bases for limiting equilibrium"),
             number<&Result::toe_force>(
                 Dimension::force_per_length,
-                "force on the toe column for limiting equilibrium; negative: there is none to spare"),
+                "push normal to the joints on the toe column for limiting equilibrium, as another column gives it, "
+                "with the friction of a joint; a cable takes another force; negative: none is needed"),
             number<&Result::weight>(Dimension::force_per_length, "weight of the columns"),
             number<&Result::column_count>("columns"),
             number<&Result::toppling_count>("columns that topple in limiting equilibrium"),

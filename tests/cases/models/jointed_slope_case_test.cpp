@@ -160,6 +160,12 @@ TEST(JointedSlopeCase, ComplaintsNameTheKey) {
     EXPECT_TRUE(has(complaint_about("x = \"0 m\", y = \"0 m\" }, { x = \"14 m\", y = \"0 m\"",
                                     "x = \"0 m\", y = \"0 m\" }, { x = \"14 m\", y = \"1 m\""),
                     "scene.frame.sides"));
+    EXPECT_TRUE(has(complaint_about("x = \"14 m\", y = \"8 m\" }, { x = \"4.6 m\", y = \"8 m\"",
+                                    "x = \"9.4 m\", y = \"8 m\" }, { x = \"0 m\", y = \"8 m\""),
+                    "mirror one that faces right"));
+    EXPECT_TRUE(has(complaint_about("{ x = \"14 m\", y = \"0 m\" }, { x = \"14 m\", y = \"8 m\" }",
+                                    "{ x = \"14 km\", y = \"0 m\" }, { x = \"14 km\", y = \"8000 m\" }"),
+                    "the outline is 14 000 m wide: is its drawing in millimetres?"));
     EXPECT_TRUE(has(complaint_about("outline = [", "outline_file = \"none.dxf\"\noutline = ["), "scene.outline_file"));
 }
 
@@ -259,6 +265,25 @@ TEST(OutlineFile, WhatIsNoOutlineIsSaid) {
     EXPECT_EQ(read_outline_file(folder).problem, "is a folder, not an outline");
 }
 
+TEST(OutlineFile, AGapIsSaidWithItsPlaceAndWidth) {
+    const std::string right = dxf_line(0, 0, 14, 0) + dxf_line(14, 8, 14, 0);
+    EXPECT_EQ(outline_of_dxf(dxf_of(dxf_line(4, 8, 0, 0) + right + dxf_line(14, 8, 4.25, 8))).problem,
+              "has a line that is not closed: the gap between its ends is 0.25 m wide, from x = 4.25 m, y = 8 m to "
+              "x = 4 m, y = 8 m");
+    EXPECT_EQ(outline_of_dxf(dxf_of(right + dxf_line(14, 8.5, 4, 8) + dxf_line(0, 1, 4, 8))).problem,
+              "has 2 separate lines: an outline is one, closed; the narrowest gap between them is 0.5 m wide, from "
+              "x = 14 m, y = 8 m to x = 14 m, y = 8.5 m");
+}
+
+// Lines have no direction, so that the corners go round as the program wants them.
+TEST(OutlineFile, LooseLinesMakeAnAnticlockwiseOutline) {
+    const OutlineFile file = outline_of_dxf(
+        dxf_of(dxf_line(0, 0, 4, 8) + dxf_line(4, 8, 14, 8) + dxf_line(14, 8, 14, 0) + dxf_line(14, 0, 0, 0)));
+    ASSERT_EQ(file.outline.size(), 4U);
+    EXPECT_EQ(file.outline[1].x, 14);
+    EXPECT_EQ(file.outline[1].y, 0);
+}
+
 TEST(OutlineFile, IsOneLayerOfADrawing) {
     std::string on_layer(light_polyline);
     on_layer.insert(on_layer.find("LWPOLYLINE\n") + 11, "8\nground\n");
@@ -268,7 +293,9 @@ TEST(OutlineFile, IsOneLayerOfADrawing) {
     EXPECT_EQ(ground.problem, "");
     EXPECT_EQ(ground.outline.size(), outline_of_dxf(dxf_of(light_polyline)).outline.size());
     EXPECT_NE(outline_of_dxf(drawing, "notes").problem.find("CIRCLE"), std::string::npos);
-    EXPECT_NE(outline_of_dxf(drawing, "rock").problem.find("on the layer rock"), std::string::npos);
+    EXPECT_NE(outline_of_dxf(drawing, "rock").problem.find("on the layer rock; there are some on fault and ground"),
+              std::string::npos);
+    EXPECT_EQ(outline_of_dxf(drawing, "GROUND").problem, "");
     const std::string lines = dxf_of(on_layer + "0\nLINE\n8\nfault\n10\n50\n20\n0\n11\n60\n21\n9\n");
     EXPECT_NE(outline_of_dxf(lines).problem.find("on the layers fault and ground: name that of the outline with "
                                                  "scene.outline_layer"),

@@ -4,6 +4,7 @@
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/models/stepped_base/sweeps.hpp"
 #include "cases/program/results/analysis.hpp"
+#include "cases/program/results/model_reports.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,6 +68,46 @@ TEST(SteppedBaseReport, ARequirementMetByAnyValueIsNotNeverReached) {
     EXPECT_EQ(
         word(analysis_of("water_wedge_cable.toml", {{"required[1].factor_of_safety", "50"}}), "required.bolt[1].force"),
         "never_reached");
+}
+
+// A push of 3883 kN/m on the toe column, which a cable holds, rubs so much on column 2 that its base has nothing left.
+constexpr std::string_view cable_in_a_low_column = R"(
+schema = 1
+model = "stepped_base"
+title = "bench"
+rock = { unit_weight = "27 kN/m3" }
+water = { kind = "dry" }
+slope = { height = "45 m", face_dip = "62 deg", upper_surface_dip = "6 deg" }
+columns = { kind = "continuous", joint_dip = "66 deg", spacing = "4 m", base_inclination = "33 deg" }
+joints = { friction_angle = "38 deg" }
+bases = { friction_angle = "40 deg", cohesion = "0 kPa" }
+required_cable = [{ block = 1, plunge = "15 deg", height = "2 m", factor_of_safety = 1.25 }]
+)";
+
+TEST(SteppedBaseReport, DoubtsACableUnderWhichAColumnWouldLiftOffItsBase) {
+    SteppedBaseStudy<> study = std::get<SteppedBaseStudy<>>(parse_case(cable_in_a_low_column, "bench").model);
+    const SteppedBaseAnswer answer = analyse_case(study);
+    EXPECT_EQ(head_card(study, answer).sentences[1],
+              "FS 1.25 takes 1850 kN/m in a cable in column 1, 2 m above its base, at 15 deg, but then column 2 would "
+              "lift off the base, or slip on it while toppling, which the recursion does not see.");
+    EXPECT_TRUE(warns(analyse_model(study), "required_cable[1].force: with it column 2 would lift off the base"));
+    // The same force as that of a bolt.
+    study.model.scene.bolt.push_back({1, answer.required_cable[0].force, degrees(15), 2});
+    EXPECT_TRUE(warns(analyse_model(study), "column 2 would lift off the base"));
+    study.model.scene.bolt.clear();
+    study.required_cable[0].factor_of_safety = 1;
+    EXPECT_FALSE(warns(analyse_model(study), "would lift off the base"));
+}
+
+// The toe column is 0 m high at its toe and 3.1 m at its joint: the line of the cable enters it through the face.
+TEST(SteppedBaseReport, DrawsACableFromWhereItEntersTheColumn) {
+    const auto study = std::get<SteppedBaseStudy<>>(parse_case(cable_in_a_low_column, "bench").model);
+    const SteppedBaseAnswer answer = analyse_case(study);
+    const DrawnForce drawn = required_force(study.model.scene, answer.slope, study.required_cable[0], 1e6);
+    EXPECT_NEAR(drawn.at.y(), drawn.at.x() * std::tan(degrees(62)), 1e-9);
+    // The height is measured normal to the base.
+    const Point head(-2 * std::sin(degrees(33)), 2 * std::cos(degrees(33)));
+    EXPECT_NEAR(drawn.at.y(), head.y() - (drawn.at.x() - head.x()) * std::tan(degrees(15)), 1e-9);
 }
 
 TEST(SteppedBaseReport, WhatIsNotThereHasNoNumbers) {

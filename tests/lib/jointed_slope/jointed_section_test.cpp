@@ -326,12 +326,11 @@ TEST(JointedSection, ScaledByAPowerOfTwoIsTheSameToTheLastBit) {
     }
 }
 
-TEST(JointedSection, MovedSectionHasTheSameBlocks) {
-    const SlopeGeometry geometry = section(benched_slope(), scattered_sets());
-    const JointedSection one = cut_in_one_rock(geometry);
-    const JointedSection other = cut_in_one_rock(moved(geometry, [](SectionPoint point) {
-        return SectionPoint{point.x + 1024, point.y - 512};
-    }));
+SectionPoint far_off(SectionPoint point) {
+    return {point.x + 1024, point.y - 512};
+}
+
+void expect_same_blocks_far_off(const JointedSection& one, const JointedSection& other) {
     ASSERT_EQ(one.vertex.size(), other.vertex.size());
     ASSERT_EQ(one.block.size(), other.block.size());
     for (std::size_t index = 0; index < one.block.size(); ++index) {
@@ -342,6 +341,22 @@ TEST(JointedSection, MovedSectionHasTheSameBlocks) {
         EXPECT_NEAR(other.vertex[index].x(), one.vertex[index].x() + 1024, 0x1p-42);
         EXPECT_NEAR(other.vertex[index].y(), one.vertex[index].y() - 512, 0x1p-42);
     }
+}
+
+TEST(JointedSection, MovedSectionHasTheSameBlocks) {
+    const SlopeGeometry geometry = section(benched_slope(), scattered_sets());
+    expect_same_blocks_far_off(cut_in_one_rock(geometry), cut_in_one_rock(moved(geometry, far_off)));
+}
+
+// A drawing in the coordinates of a survey; the foot of the lower face is the toe.
+TEST(JointedSection, JointsOfASectionFarFromTheOriginAreMeasuredFromItsToe) {
+    SlopeGeometry near = section(benched_slope(), three_sets());
+    SlopeGeometry far = near;
+    std::ranges::transform(far.outline, far.outline.begin(), far_off);
+    for (SlopeCut& named : near.cut) {
+        std::get<JointSetCut>(named.trace).through = SectionPoint{2, 0};
+    }
+    expect_same_blocks_far_off(cut_in_one_rock(near), cut_in_one_rock(far));
 }
 
 TEST(JointedSection, ClockwiseAndRepeatedCornersAreRepaired) {

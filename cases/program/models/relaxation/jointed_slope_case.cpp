@@ -3,6 +3,7 @@
 #include "cases/program/reader/outline_file.hpp"
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "fitting/work/words.hpp"
 
 #include <algorithm>
 #include <set>
@@ -63,6 +64,17 @@ std::string unknown_rock_key(const RelaxationSlope& slope, const std::string& tr
     return trace + ".rock";
 }
 
+// What to ask of an outline that is larger than any slope: a drawing without a unit may be in millimetres.
+std::string size_in_doubt(const RelaxationSlope& slope) {
+    constexpr double largest = 5000;  // m
+    const auto [left, right] = std::ranges::minmax(slope.geometry.outline, {}, &SectionPoint::x);
+    const double width = right.x - left.x;
+    return width > largest ? "; the outline is " + value_in_words(width, Dimension::length) +
+                                 " wide: is its drawing in millimetres? Its unit is read from its header ($INSUNITS); "
+                                 "without one it is metres"
+                           : "";
+}
+
 }  // namespace
 
 std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
@@ -86,7 +98,8 @@ std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
                               "must be at least 4e-6 of the section's size and at most a quarter of the least spacing"};
     case SlopeCheck::too_many_blocks:
         return SlopeComplaint{trace + ".spacing", "must be larger: it would make more than " +
-                                                      std::to_string(most_slope_blocks) + " blocks"};
+                                                      std::to_string(most_slope_blocks) + " blocks" +
+                                                      size_in_doubt(slope)};
     case SlopeCheck::line_too_short:
         return SlopeComplaint{trace + ".vertex", "needs at least two points apart from each other"};
     case SlopeCheck::line_folds_back:
@@ -122,7 +135,8 @@ std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
             "which it is, as intact_joint = \"joints\", or one as strong as the rock"};
     case SlopeCheck::frame_without_edge:
         return SlopeComplaint{"scene.frame.sides",
-                              "needs level edges of the outline at its foot, upright ones behind it and in front"};
+                              "needs level edges of the outline at its foot, upright ones behind it, at its greatest "
+                              "x, and in front: a slope faces left, towards -x; mirror one that faces right"};
     case SlopeCheck::water_table_too_short:
         return SlopeComplaint{"scene.water.vertex", "needs at least two points"};
     case SlopeCheck::water_table_not_increasing:

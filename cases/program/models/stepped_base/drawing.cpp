@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 namespace delabole {
@@ -205,6 +206,36 @@ Polyline water_line(const SteppedBase<>& problem, const ColumnSlope<>& slope, co
     return tops;
 }
 
+// Where the line of a cable enters its column: the joint on whose side the head is given may end below that height, as
+// at a toe column.
+Point entry_into(const Polyline& outline, const Point& head, const Point& direction) {
+    const auto cross = [](const Point& one, const Point& other) { return one.x() * other.y() - one.y() * other.x(); };
+    const double clear_of_the_edge = 1e-6 * (outline[0] - outline[1]).norm();
+    if (inside(outline, head + clear_of_the_edge * direction)) {
+        return head;
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t index = 0; index < outline.size(); ++index) {
+        const Point edge = outline[(index + 1) % outline.size()] - outline[index];
+        const Point reach = outline[index] - head;
+        const double place = cross(reach, direction) / cross(direction, edge);
+        const double distance = cross(reach, edge) / cross(direction, edge);
+        if (place >= 0 && place <= 1 && distance > 0) {
+            nearest = std::min(nearest, distance);
+        }
+    }
+    return std::isfinite(nearest) ? Point(head + nearest * direction) : head;
+}
+
+template <class Cable>
+DrawnForce drawn_cable(const ColumnScene<>& scene, const ColumnSlope<>& slope, const Cable& cable, double force,
+                       ForceKind kind) {
+    const auto index = static_cast<std::size_t>(cable.block) - 1;
+    const Point direction(std::cos(cable.plunge), -std::sin(cable.plunge));
+    const Point head = Axes(slope.base_dip).at(slope.columns[index], 0, cable.height);
+    return {entry_into(column_outlines(scene)[index], head, direction), force * direction, kind};
+}
+
 void add_forces(BlockDrawing& drawing, const SteppedBase<>& problem, const ColumnSlope<>& slope,
                 const std::vector<ColumnResult>& columns, double factor) {
     const Axes axes(slope.base_dip);
@@ -228,17 +259,14 @@ void add_forces(BlockDrawing& drawing, const SteppedBase<>& problem, const Colum
     const JointForce<> head = head_force(slope, strength_of(problem), factor);
     drawing.forces.push_back({axes.at(slope.columns.back(), slope.columns.back().width, head.height),
                               -head.normal * axes.along - head.shear * axes.up, ForceKind::thrust});
-    const auto add_applied = [&](const auto& load, double share_of_width) {
+    for (const PointLoad<>& load : problem.scene.point_load) {
         const Column<>& column = slope.columns[static_cast<std::size_t>(load.block) - 1];
-        drawing.forces.push_back({axes.at(column, share_of_width * column.width, load.height),
+        drawing.forces.push_back({axes.at(column, 0.5 * column.width, load.height),
                                   load.force * Point(std::cos(load.plunge), -std::sin(load.plunge)),
                                   ForceKind::applied});
-    };
-    for (const PointLoad<>& load : problem.scene.point_load) {
-        add_applied(load, 0.5);
     }
     for (const ColumnBolt<>& bolt : problem.scene.bolt) {
-        add_applied(bolt, 0);
+        drawing.forces.push_back(drawn_cable(problem.scene, slope, bolt, bolt.force, ForceKind::applied));
     }
     const std::vector<std::vector<BoltRow>> support = support_rows(problem.scene);
     for (std::size_t index = 0; index < support.size(); ++index) {
@@ -302,11 +330,9 @@ BlockDrawing column_drawing(const SteppedBase<>& problem, const ColumnSlope<>& s
     return drawing;
 }
 
-DrawnForce required_force(const ColumnSlope<>& slope, const RequiredCable<>& cable, double force) {
-    const Axes axes(slope.base_dip);
-    const Column<>& column = slope.columns[static_cast<std::size_t>(cable.block) - 1];
-    return {axes.at(column, 0, cable.height), force * Point(std::cos(cable.plunge), -std::sin(cable.plunge)),
-            ForceKind::required};
+DrawnForce required_force(const ColumnScene<>& scene, const ColumnSlope<>& slope, const RequiredCable<>& cable,
+                          double force) {
+    return drawn_cable(scene, slope, cable, force, ForceKind::required);
 }
 
 ForceAlongSlope force_along_columns(const std::vector<ColumnResult>& columns, const std::string& title) {

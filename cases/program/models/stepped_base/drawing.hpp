@@ -31,8 +31,9 @@ DrawnMode drawn(ColumnMode mode);
 BlockDrawing column_drawing(const SteppedBase<>& problem, const ColumnSlope<>& slope,
                             const std::vector<ColumnResult>& columns, double factor, const std::string& title);
 
-// The required force of a cable.
-DrawnForce required_force(const ColumnSlope<>& slope, const RequiredCable<>& cable, double force);
+// The required force of a cable, from where its line enters the column.
+DrawnForce required_force(const ColumnScene<>& scene, const ColumnSlope<>& slope, const RequiredCable<>& cable,
+                          double force);
 
 // Force that each column needs from the one below it.
 ForceAlongSlope force_along_columns(const std::vector<ColumnResult>& columns, const std::string& title);

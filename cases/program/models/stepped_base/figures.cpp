@@ -23,7 +23,8 @@ void append_section(const SteppedBaseAnswer& answer, const std::vector<RequiredC
     BlockDrawing drawing = column_drawing(problem, answer.slope, state.columns, state.factor, "Columns " + state.name);
     for (std::size_t index = 0; index < cables.size(); ++index) {
         if (answer.required_cable[index].state == CableState::found) {
-            drawing.forces.push_back(required_force(answer.slope, cables[index], answer.required_cable[index].force));
+            drawing.forces.push_back(
+                required_force(problem.scene, answer.slope, cables[index], answer.required_cable[index].force));
         }
     }
     Figure figure = block_figure(drawing);

@@ -20,8 +20,85 @@ double friction_product_at_limit(const SteppedBase<>& problem, double factor) {
     return strength.joint_friction * strength.base_friction;
 }
 
+// "column 2", "columns 2, 3 and 4", "12 columns"
+std::string columns_in_words(const std::vector<std::string>& numbers) {
+    constexpr std::size_t most_named = 6;
+    return numbers.size() == 1            ? "column " + numbers.front()
+           : numbers.size() <= most_named ? "columns " + list_in_words(numbers)
+                                          : std::to_string(numbers.size()) + " columns";
+}
+
+// Clauses that name the columns whose bases cannot give the reactions that are asked of them.
+std::vector<std::string> what_the_recursion_does_not_see(const std::vector<ColumnResult>& columns) {
+    std::vector<std::string> outside;
+    std::vector<std::string> not_held;
+    for (const ColumnResult& column : columns) {
+        if (!column.base_friction_holds) {
+            not_held.push_back(std::to_string(column.number));
+        } else if (!column.reaction_inside_base) {
+            outside.push_back(std::to_string(column.number));
+        }
+    }
+    std::vector<std::string> clauses;
+    if (!outside.empty()) {
+        clauses.push_back(columns_in_words(outside) + " would turn as well, for the reaction falls outside the base");
+    }
+    if (!not_held.empty()) {
+        clauses.push_back(columns_in_words(not_held) + " would lift off the base, or slip on it while toppling");
+    }
+    return clauses;
+}
+
+SteppedBase<> with_cable(SteppedBase<> problem, const RequiredCable<>& cable, double force) {
+    problem.scene.bolt.push_back({cable.block, force, cable.plunge, cable.height});
+    return problem;
+}
+
+SteppedBase<> with_value(SteppedBase<> problem, const RequiredValue<>& request, double required) {
+    for_each_named_number(problem, [&](const std::string& path, const FieldInfo&, double& value) {
+        if (path == request.parameter || std::ranges::find(request.also, path) != request.also.end()) {
+            value = required;
+        }
+    });
+    return problem;
+}
+
+// What the recursion does not see once the slope has the factor of safety that was required of it.
+std::string doubts_about(const SteppedBase<>& problem, double factor) {
+    const ColumnSlope<> slope = make_columns(problem.scene);
+    return slope.check == ColumnCheck::valid
+               ? list_in_words(what_the_recursion_does_not_see(column_results(slope, strength_of(problem), factor)))
+               : "";
+}
+
+// A sentence, continued by what the recursion does not see.
+std::string doubted(std::string sentence, const std::string& doubts) {
+    if (!doubts.empty()) {
+        sentence.back() = ',';
+        sentence += " but then " + doubts + ", which the recursion does not see.";
+    }
+    return sentence;
+}
+
+bool is_found(const Required& required) {
+    return required.status == RequiredStatus::found || required.status == RequiredStatus::several;
+}
+
 void append_required(Analysis& analysis, const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer) {
     append_required_values(analysis, study.required, answer.required);
+    const SteppedBase<>& problem = answer.resolved.problem;
+    const auto warn_of = [&](const std::string& name, const std::string& doubts) {
+        if (!doubts.empty()) {
+            analysis.warnings.push_back(name + ": with it " + doubts + ", which the recursion does not see");
+        }
+    };
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        const RequiredValue<>& request = study.required[index];
+        if (const Required& found = answer.required[index]; is_found(found)) {
+            warn_of("required." + request.parameter,
+                    doubts_about(with_value(problem, request, found.value), request.factor_of_safety));
+        }
+    }
     for (std::size_t index = 0; index < study.required_cable.size(); ++index) {
         const RequiredCable<>& request = study.required_cable[index];
         const CableForce& cable = answer.required_cable[index];
@@ -30,6 +107,7 @@ void append_required(Analysis& analysis, const SteppedBaseStudy<>& study, const 
                                     " for a factor of safety of " + number_in_words(request.factor_of_safety);
         if (cable.state == CableState::found) {
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, cable.force});
+            warn_of(name, doubts_about(with_cable(problem, request, cable.force), request.factor_of_safety));
         } else {
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, std::string(word_of(cable.state))});
             analysis.warnings.push_back(name + ": " +
@@ -94,26 +172,8 @@ void warn(Analysis& analysis, const SteppedBaseAnswer& answer) {
         analysis.warnings.push_back(std::string(what_lifts(*answer.slope.slide_head)) +
                                     " the wedge above off its joint: it rests on the columns alone");
     }
-    int outside = 0;
-    int lifted_or_slipping = 0;
-    for (const ColumnResult& column : answer.limiting.columns) {
-        if (!column.base_friction_holds) {
-            ++lifted_or_slipping;
-        } else if (!column.reaction_inside_base) {
-            ++outside;
-        }
-    }
-    if (outside > 0) {
-        analysis.warnings.emplace_back(
-            "column(s) that would turn as well, for the reaction falls outside their base, which the recursion does "
-            "not see: " +
-            std::to_string(outside));
-    }
-    if (lifted_or_slipping > 0) {
-        analysis.warnings.emplace_back(
-            "column(s) whose base would be in tension, or would slip while they topple, which the recursion does not "
-            "see: " +
-            std::to_string(lifted_or_slipping));
+    for (const std::string& clause : what_the_recursion_does_not_see(answer.limiting.columns)) {
+        analysis.warnings.push_back(clause + ", which the recursion does not see");
     }
     if (answer.slope.columns.size() > most_drawn_columns) {
         analysis.warnings.push_back("figures are left out: " + std::to_string(answer.slope.columns.size()) +
@@ -180,19 +240,27 @@ HeadCard head_card(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& ans
     const bool stands = result.limit == LimitState::holds_at_any_strength ||
                         (result.limit != LimitState::fails_at_any_strength && result.factor_of_safety >= 1);
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {limit_in_words(result)}, {}};
+    const SteppedBase<>& problem = answer.resolved.problem;
     std::string required;
     const auto add = [&](const std::string& sentence) { required += (required.empty() ? "" : " ") + sentence; };
     for (std::size_t index = 0; index < study.required.size(); ++index) {
-        add(required_in_words(study.required[index], answer.required[index]));
+        const RequiredValue<>& request = study.required[index];
+        const Required& found = answer.required[index];
+        add(doubted(
+            required_in_words(request, found),
+            is_found(found) ? doubts_about(with_value(problem, request, found.value), request.factor_of_safety) : ""));
     }
     for (std::size_t index = 0; index < study.required_cable.size(); ++index) {
         const RequiredCable<>& cable = study.required_cable[index];
         const CableForce& found = answer.required_cable[index];
-        const std::string place = "a cable in column " + number_in_words(cable.block) + " at " +
+        const std::string place = "a cable in column " + number_in_words(cable.block) + ", " +
+                                  value_in_words(cable.height, Dimension::length) + " above its base, at " +
                                   value_in_words(cable.plunge, Dimension::angle);
         const std::string factor = "FS " + number_in_words(cable.factor_of_safety);
         if (found.state == CableState::found) {
-            add(factor + " takes " + value_in_words(found.force, Dimension::force_per_length) + " in " + place + ".");
+            add(doubted(
+                factor + " takes " + value_in_words(found.force, Dimension::force_per_length) + " in " + place + ".",
+                doubts_about(with_cable(problem, cable, found.force), cable.factor_of_safety)));
         } else if (found.state == CableState::not_needed) {
             add(factor + " is reached without " + place + ".");
         } else {
