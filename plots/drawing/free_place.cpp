@@ -14,7 +14,8 @@ namespace {
 Rectangle place_of(const Label& label, const Point& px_per_unit) {
     constexpr double mean_letter = 0.64 * text_height;  // width of a digit, px; letters are narrower on the average
     const double width = label.size * mean_letter * static_cast<double>(letter_count(label.text)) / px_per_unit.x();
-    const double height = label.size * 1.1 * text_height / px_per_unit.y();
+    constexpr double of_the_box = 1.3;  // in which browsers put the text; of the height of the text
+    const double height = label.size * of_the_box * text_height / px_per_unit.y();
     const double share = label.align == Label::Align::left ? 0 : label.align == Label::Align::centre ? 0.5 : 1;
     const Point lowest = label.at + Point(-share * width, label.raise * text_height / px_per_unit.y() - 0.5 * height);
     return {lowest, lowest + Point(width, height)};

@@ -45,6 +45,9 @@ class BlockLabels {
             return covers_velocity(place_of_text(numeral)) ||
                    (!every && !across_.velocities.empty() && numeral.block->mode != DrawnMode::fixed);
         });
+        if (!every) {
+            erase_in_small_blocks(shown);
+        }
         for (const Numeral& numeral : shown) {
             result.push_back(label_of(numeral, !every));
         }
@@ -61,6 +64,17 @@ class BlockLabels {
                 .align = Label::Align::centre,
                 .boxed = boxed,
                 .size = numeral.size / text_height};
+    }
+
+    // Leaves out the labels that take most of their blocks, if few do.
+    void erase_in_small_blocks(std::vector<Numeral>& shown) const {
+        const auto takes_most = [&](const Numeral& numeral) {
+            constexpr double most = 0.4;
+            return text_size(numeral).prod() > most * std::abs(area_properties(numeral.block->outline).area);
+        };
+        if (4 * std::ranges::count_if(shown, takes_most) < std::ssize(shown)) {
+            std::erase_if(shown, takes_most);
+        }
     }
 
     // Whether a fixed block is long and thin, such as a base.

@@ -84,8 +84,10 @@ void add_forces(const SectionDrawing& drawing, const Point& raise, double px_per
                                                   {tail, Label::Align::right, -beyond}};
             // The text of a force that points into the slope stands in front of its tail.
             const Point& front = force.direction.x() > 0.7 ? tail : tip;
-            const std::vector<LabelPlace> sideways{
-                {front, Label::Align::right, 0}, {front, Label::Align::right, 0.6}, {front, Label::Align::right, -0.6}};
+            std::vector<LabelPlace> sideways;
+            for (const double raise : {0.0, 0.6, -0.6, 1.3, -1.3, 2.0}) {
+                sideways.push_back({front, Label::Align::right, raise});
+            }
             add_where_free(std::abs(force.direction.x()) > 0.7 ? sideways : upright, force.text,
                            Point::Constant(px_per_metre), figure);
         }

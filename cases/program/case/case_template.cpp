@@ -296,7 +296,8 @@ std::string commented_template(std::string_view name) {
         throw std::invalid_argument("no model is named " + std::string(name) + suggestion(std::string(name), models));
     }
     const std::string_view model = known ? name : model_name(parse_case(starting_case(name), name).model);
-    const std::string text = template_case(model);
+    // A jointed slope is another scene than that of the model's template.
+    const std::string text = name == "jointed_slope" ? starting_case(name) : template_case(model);
     const CaseFile file = parse_case(text, model);
     const std::size_t further = std::min(text.find("[sources]"), text.find("[[expect]]"));
     return with_input_of(
@@ -305,7 +306,7 @@ std::string commented_template(std::string_view name) {
             "\n# description = \"what the case is about\"\nmodel = " + in_quotes(model) + "\n" +
             std::visit([](const auto& study) { return annotated_values(study) + annotated_sections(study, ""); },
                        file.model) +
-            "\n" + commented(std::string_view(text).substr(further)) +
+            "\n" + commented(std::string_view(text).substr(std::min(further, text.size()))) +
             (std::holds_alternative<PlaneFailureStudy<>>(file.model) ? commented(annotated_studies()) : ""));
 }
 

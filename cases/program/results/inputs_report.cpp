@@ -8,9 +8,28 @@
 
 namespace delabole {
 
+namespace {
+
+// Where the cables are whose tension is solved for: no inputs of the model itself.
+void add_cables(std::vector<RequiredCable<>> cables, std::vector<Quantity>& inputs) {
+    for (std::size_t index = 0; index < cables.size(); ++index) {
+        for_each_named_number(cables[index], [&](const std::string& key, const FieldInfo& info, double value) {
+            inputs.push_back({.name = "required_cable[" + std::to_string(index + 1) + "]." + key,
+                              .dimension = info.dimension,
+                              .meaning = std::string(info.meaning),
+                              .value = value});
+        });
+    }
+}
+
+}  // namespace
+
 void append_inputs(const CaseFile& file, Report& report) {
     Table table{"Inputs of the case", {"input", "value"_number, "meaning", "source"}};
-    const std::vector<Quantity> inputs = named_inputs(file.model);
+    std::vector<Quantity> inputs = named_inputs(file.model);
+    if (const auto* study = std::get_if<SteppedBaseStudy<>>(&file.model)) {
+        add_cables(study->required_cable, inputs);
+    }
     LongLists lists = long_lists(inputs);
     for (const Quantity& input : inputs) {
         const auto list = lists.find(list_of(input.name));

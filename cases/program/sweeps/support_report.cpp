@@ -66,19 +66,33 @@ std::string without_support_in_words(CaseModel model) {
     return value != nullptr ? ", instead of FS " + number_in_words(*value) + " without these bolts" : "";
 }
 
-// Says what to try where no pattern suffices: the ranges at whose ends the strongest pattern lies were too narrow.
-std::string remedy_for(const SupportDesign& design, const TriedSupport& strongest) {
-    std::vector<std::string> at_end;
+// The inputs at whose ends of their ranges a pattern lies: the ranges may have been too narrow. A single row is the
+// least that there is.
+std::vector<std::string> at_ends(const SupportDesign& design, const TriedSupport& tried) {
+    std::vector<std::string> inputs;
     for (std::size_t index = 0; index < design.choices.size(); ++index) {
         const SupportChoice& choice = design.choices[index];
         const double nearness = 1e-9 * std::abs(choice.to - choice.from);
-        const double value = strongest.values[index];
-        if (std::abs(value - choice.from) <= nearness || std::abs(value - choice.to) <= nearness) {
-            at_end.push_back(choice.input);
+        const double value = tried.values[index];
+        const bool single_row = choice.input.ends_with(".rows") && value == 1;
+        if (!single_row && (std::abs(value - choice.from) <= nearness || std::abs(value - choice.to) <= nearness)) {
+            inputs.push_back(choice.input);
         }
     }
+    return inputs;
+}
+
+// Says what to try where no pattern suffices.
+std::string remedy_for(const SupportDesign& design, const TriedSupport& strongest) {
+    const std::vector<std::string> at_end = at_ends(design, strongest);
     return (at_end.empty() ? "" : "choose beyond the range of " + list_in_words(at_end) + ", or ") +
            "give the bolts more capacity";
+}
+
+// "; cheaper ones may lie beyond the range of support[1].rows"
+std::string doubt_about(const SupportDesign& design, const TriedSupport& cheapest) {
+    const std::vector<std::string> at_end = at_ends(design, cheapest);
+    return at_end.empty() ? "" : "; cheaper ones may lie beyond the range of " + list_in_words(at_end);
 }
 
 std::string sentence_of(const SupportDesign& design, const SupportDesignResult& found, const std::string& without) {
@@ -90,7 +104,8 @@ std::string sentence_of(const SupportDesign& design, const SupportDesignResult& 
     }
     const std::string factor = "FS " + number_in_words(design.factor_of_safety);
     const std::string what = choice_in_words(design, *shown) + ", for " + number_in_words(shown_cost(shown->cost)) +
-                             per_length_of_slope() + without + ".";
+                             per_length_of_slope() + without + (found.cheapest ? doubt_about(design, *shown) : "") +
+                             ".";
     return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + ": " + what
                           : "None of " + patterns + " gives " + factor + " (" + remedy_for(design, *shown) +
                                 "); the strongest, shown here: " + what;

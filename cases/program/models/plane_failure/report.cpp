@@ -57,6 +57,9 @@ Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
                                 : in_unit(*std::ranges::max_element(sensitivities.derivatives, {}, in_unit));
     constexpr double rounding = 1e-12;  // of the greatest derivative
     for (const Sensitivity& input : sensitivities.derivatives) {
+        if (input.parameter.ends_with(".rows")) {
+            continue;  // a whole number, with no derivative
+        }
         const DisplayUnit unit = display_unit(input.dimension);
         const double derivative = in_unit(input) < rounding * greatest ? 0 : input.derivative;
         const DisplayUnit shown = shown_unit(input.dimension);

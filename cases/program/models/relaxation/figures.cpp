@@ -255,7 +255,8 @@ void append_failure_figure(const RelaxationRun& failed, const std::string& title
         mechanism_figure(failed, title), name,
         failed.result.outcome == RelaxationOutcome::held_by_corners
             ? "The blocks at rest, at the nearest value found not to stand: those that only corners hold."
-            : "The blocks at the onset of failure, at the nearest value found to fail: what each has begun to do."));
+            : "The blocks at the onset of failure, at the nearest value found to fail: what each has begun to do. "
+              "One that stays with an arrow is under way, but not yet by a tenth of the farthest."));
 }
 
 }  // namespace delabole

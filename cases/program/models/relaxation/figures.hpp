@@ -48,7 +48,8 @@ void append_failure_figure(const RelaxationRun& failed, const std::string& title
 Figure mechanism_figure(const RelaxationRun& made, const std::string& title);
 
 // Cracks, crest and the ground left standing of a jointed slope as figure, tables and *.csv; nothing for other scenes.
-void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, Report& report);
+void append_post_failure(const RelaxationSlope* slope, const RelaxationRun& made, const ResultFolder& folder,
+                         Report& report);
 // The blocks at their positions in a frame; those that fail in the end are marked.
 Figure moved_slope_figure(const RelaxationRun& made, const MotionFrame& frame, const PostFailure& end,
                           const std::string& title);

@@ -1,9 +1,11 @@
 // The ground left standing of a jointed slope, in the report of its run.
 #include "cases/program/models/relaxation/figures.hpp"
+#include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/block_figures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
@@ -13,23 +15,47 @@ namespace delabole {
 
 namespace {
 
-Table crack_table(const PostFailure& failure) {
+// A length without its unit, which the title of the column has: one column, one unit.
+std::string in_column(double length) {
+    constexpr double unseen = 5e-7;  // m
+    return std::abs(length) < unseen ? "0" : number_in_words(length / shown_unit(Dimension::length).si_per_unit);
+}
+
+TableColumn length_column(const std::string& title) {
+    return {title + ", " + std::string(shown_unit(Dimension::length).symbol), true};
+}
+
+// The sets whose joints have the properties and the dip of a crack: several sets may share their properties.
+std::string set_of(const CrestCrack& crack, const std::string& joint, const RelaxationSlope& slope) {
+    std::string names;
+    for (const SlopeCut& cut : slope.geometry.cut) {
+        const auto* set = std::get_if<JointSetCut>(&cut.trace);
+        // Upright joints dip 90 deg either way.
+        const double apart = set != nullptr ? std::abs(std::sin(crack.dip - set->dip)) : 1;
+        if (cut.joint == joint && apart < std::sin(degrees(0.5))) {
+            names += (names.empty() ? "" : " or ") + cut.name;
+        }
+    }
+    return names.empty() ? joint : names;
+}
+
+Table crack_table(const PostFailure& failure, const RelaxationSlope& slope) {
     Table table{"Open joints at the ground behind the crest of the slope.",
-                {"behind the crest"_number, "joint", "dip, °"_number, "opening"_number}};
+                {length_column("behind the crest"), "set", "dip, °"_number, length_column("opening")}};
     for (const CrestCrack& crack : failure.crack) {
-        table.rows.push_back({length_in_words(crack.position), failure.answer.joint[crack.joint].joint,
-                              degrees_in_words(crack.dip), length_in_words(crack.opening)});
+        table.rows.push_back({in_column(crack.position), set_of(crack, failure.answer.joint[crack.joint].joint, slope),
+                              degrees_in_words(crack.dip), in_column(crack.opening)});
     }
     return table;
 }
 
 Table crest_table(const PostFailure& failure) {
-    Table table{
-        "Blocks at the ground behind the crest: into the slope, upwards, and turning out of the slope.",
-        {"behind the crest"_number, "block"_number, "horizontal"_number, "vertical"_number, "rotation, °"_number}};
+    Table table{"Blocks at the ground behind the crest: into the slope, upwards, and turning out of the slope.",
+                {length_column("behind the crest"), "block"_number, length_column("horizontal"),
+                 length_column("vertical"), "rotation, °"_number}};
     for (const CrestBlock& block : failure.block) {
-        table.rows.push_back({length_in_words(block.position), std::to_string(block.block + 1),
-                              length_in_words(block.movement.horizontal), length_in_words(block.movement.vertical),
+        table.rows.push_back({in_column(block.position), std::to_string(block.block + 1),
+                              in_column(block.movement.horizontal), in_column(block.movement.vertical),
                               degrees_in_words(block.movement.rotation)});
     }
     return table;
@@ -194,8 +220,9 @@ Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failur
     return figure;
 }
 
-void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
-    if (!made.post_failure || made.post_failure->ground.empty()) {
+void append_post_failure(const RelaxationSlope* slope, const RelaxationRun& made, const ResultFolder& folder,
+                         Report& report) {
+    if (slope == nullptr || !made.post_failure || made.post_failure->ground.empty()) {
         return;
     }
     const PostFailure& failure = *made.post_failure;
@@ -212,7 +239,8 @@ void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, 
     if (made.in_stages) {
         report.blocks.emplace_back(stage_table(made));
     }
-    report.blocks.emplace_back(Folded{"Cracks and blocks at the crest", {crack_table(failure), crest_table(failure)}});
+    report.blocks.emplace_back(
+        Folded{"Cracks and blocks at the crest", {crack_table(failure, *slope), crest_table(failure)}});
     write_ground(made, failure, folder);
     write_tables(failure, folder);
 }

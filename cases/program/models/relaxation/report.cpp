@@ -369,7 +369,7 @@ void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnsw
     if (answer.critical) {
         append_critical_figures(*answer.plan, *answer.critical, folder, report);
     }
-    append_post_failure(made, folder, report);
+    append_post_failure(std::get_if<RelaxationSlope>(&study.model.scene), made, folder, report);
     append_block_figures(made, folder, report);
     if (answer.slope) {
         append_section_figure(std::get<RelaxationSlope>(study.model.scene), *answer.slope, folder, report);
