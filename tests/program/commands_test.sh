@@ -41,10 +41,13 @@ expect "it gives that factor" awk -F'[:, ]+' '/"factor_of_safety"/ { exit !($3 >
     <(sed -n '/"support_design"/,/}/p' support/result.json)
 expect_output 'With these bolts FS 2'
 expect_output 'instead of FS 1.54 without these bolts.'
+expect "rows, whole numbers, have no derivative" refuse grep -qF '[1].rows' support/sensitivities.csv
 expect "all that were tried" test "$(wc -l <support/support.csv)" -gt 10
 expect "the report says so as well" contains support/report.html 'Of 180 patterns the cheapest'
 expect "and the case that was analysed holds it" refuse cmp -s \
     <(grep -A9 '^\[\[support\]\]' support.toml | grep '^rows\|^length') <(grep '^rows\|^length' support/resolved.toml)
+delabole run support.toml --set support_design.choose='[{ input = "support[1].rows", from = 3, to = 5, points = 3 }]'
+expect_output '; cheaper ones may lie beyond the range of support[1].rows.'
 delabole run support.toml --set support_design.factor_of_safety=50 --out too_much
 expect_status 0
 expect_output 'None of 180 patterns gives FS 50 (choose beyond the range of support[1].rows and support[1].spacing, or '

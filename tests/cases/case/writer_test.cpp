@@ -1,4 +1,5 @@
 #include "cases/program/case/case_writer.hpp"
+#include "cases/program/case/starting_cases.hpp"
 #include "cases/program/reader/described_reader.hpp"
 
 #include "tests/cases/example_case.hpp"
@@ -166,6 +167,15 @@ TEST(Template, IsACaseOfEachModel) {
             uncommented(text, text.find("# [sources]") == std::string::npos ? "# [[expect]]" : "# [sources]"), "all"));
     }
     EXPECT_THROW(commented_template("wedge_row"), std::invalid_argument);
+}
+
+// What is asked for by name is what the template does, and not a comment in another scene.
+TEST(Template, OfAJointedSlopeIsOne) {
+    const CaseFile file = parse_case(commented_template("jointed_slope"), "template");
+    const auto& slope = std::get<RelaxationSlope>(std::get<RelaxationStudy>(file.model).model.scene);
+    const CaseFile started = parse_case(starting_case("jointed_slope"), "started");
+    EXPECT_EQ(slope.geometry, std::get<RelaxationSlope>(std::get<RelaxationStudy>(started.model).model.scene).geometry);
+    EXPECT_EQ(file.title, "My jointed slope");
 }
 
 void expect_valid_sections(std::string_view model, const std::vector<std::string_view>& sections) {

@@ -110,6 +110,16 @@ TEST(SteppedBaseReport, DrawsACableFromWhereItEntersTheColumn) {
     EXPECT_NEAR(drawn.at.y(), head.y() - (drawn.at.x() - head.x()) * std::tan(degrees(15)), 1e-9);
 }
 
+// The toe column is smaller than two of its numbers.
+TEST(SteppedBaseReport, DrawsNoNumberThatWouldHideAColumn) {
+    const auto study = std::get<SteppedBaseStudy<>>(parse_case(cable_in_a_low_column, "bench").model);
+    const ColumnSlope<> slope = make_columns(study.model.scene);
+    const Figure figure =
+        block_figure(column_drawing(study.model, slope, column_results(slope, strength_of(study.model)), 1, ""));
+    EXPECT_EQ(std::ranges::count(figure.labels, std::string("1"), &Label::text), 0);
+    EXPECT_EQ(std::ranges::count(figure.labels, std::string("3"), &Label::text), 1);
+}
+
 TEST(SteppedBaseReport, WhatIsNotThereHasNoNumbers) {
     EXPECT_EQ(word(analysis_of("goodman_bray_1976.toml", {}), "slide_head_factor_of_safety"), "none");
     EXPECT_EQ(word(analysis_of("water_wedge_cable.toml", {}), "slide_head_factor_of_safety"), "");
