@@ -37,6 +37,8 @@ py::dict dict_of(const ProfileLikelihood& profile) {
     dict["interval_68"] = pair_of(profile.interval_68);
     dict["interval_95"] = pair_of(profile.interval_95);
     dict["determination"] = word_of(profile.determination);
+    dict["lower_bounded_by"] = profile.lower_bounded_by;
+    dict["upper_bounded_by"] = profile.upper_bounded_by;
     return dict;
 }
 

@@ -92,12 +92,32 @@ void add_profiles(const Search& search, MultiStartResult& found, MechanismFit& f
     fit.profiles.insert(fit.profiles.end(), data_only.begin(), data_only.end());
 }
 
+// Leaves the names of parameters with which this one can be exchanged; an end at one of their bounds is no evidence.
+void judge_bounds(ProfileLikelihood& profile, const std::vector<std::string>& exchangeable) {
+    const auto among = [&](const std::string& name) {
+        return std::ranges::find(exchangeable, name) != exchangeable.end();
+    };
+    const bool own = !profile.with_priors && among(profile.parameter);
+    for (std::vector<std::string>* names : {&profile.lower_bounded_by, &profile.upper_bounded_by}) {
+        std::erase_if(*names, [&](const std::string& name) { return !own || !among(name); });
+    }
+    const Determination is = profile.determination;
+    const bool lower = is == Determination::determined || is == Determination::bounded_below;
+    const bool upper = is == Determination::determined || is == Determination::bounded_above;
+    profile.determination =
+        determination_of(lower && profile.lower_bounded_by.empty(), upper && profile.upper_bounded_by.empty());
+}
+
 void analyse_best(const Search& search, const Expected& expected, double scatter, MultiStartResult& found,
                   MechanismFit& fit) {
     search.progress.begin_stage(fit.name, "profiles", expected.profiles);
     add_profiles(search, found, fit);
     if (!search.stopped()) {
         fit.identifiability = identify(search, fit.best, fit.evaluations, scatter);
+        const std::vector<std::string> combined = exchangeable(fit.identifiability);
+        for (ProfileLikelihood& profile : fit.profiles) {
+            judge_bounds(profile, combined);
+        }
         fit.identifiability.verdict += doubt_from_profiles(fit.identifiability, fit.profiles);
         for (ProfileLikelihood& profile : fit.profiles) {
             if (profile.determination != Determination::undetermined &&

@@ -77,6 +77,7 @@ class Tracer {
     Knot minimise_others(std::vector<double> start);
     std::pair<Interval, std::pair<bool, bool>> interval(double rise);
     IntervalEnd find_end(double inside, double outside, double rise);
+    std::vector<std::string> at_bounds(double value) const;
     double excess(double misfit, double rise) const;
 
     const Search& search_;
@@ -240,6 +241,22 @@ IntervalEnd Tracer::find_end(double inside, double outside, double rise) {
     return {root.value_or(outside), true};
 }
 
+// The other parameters that lie at a bound where this one has the value, or next to it.
+std::vector<std::string> Tracer::at_bounds(double value) const {
+    const auto& nearest =
+        std::ranges::min_element(knots_, {}, [&](const auto& entry) { return std::abs(entry.first - value); })->second;
+    std::vector<std::string> names;
+    for (std::size_t index = 0; index < nearest.point.size(); ++index) {
+        const Interval& bounds = bounds_[index];
+        const double tolerance = end_tolerance * (bounds.upper - bounds.lower);
+        const double inside = std::min(nearest.point[index] - bounds.lower, bounds.upper - nearest.point[index]);
+        if (index != parameter_ && tolerance > 0 && inside <= tolerance) {
+            names.push_back(search_.misfit.mechanism().parameters[index].name);
+        }
+    }
+    return names;
+}
+
 std::pair<Interval, std::pair<bool, bool>> Tracer::interval(double rise) {
     const auto below = [&](const auto& entry) { return entry.second.misfit <= least_ + rise; };
     const auto first = std::find_if(knots_.begin(), knots_.end(), below);
@@ -256,16 +273,6 @@ std::pair<Interval, std::pair<bool, bool>> Tracer::interval(double rise) {
         upper = find_end(last_inside, beyond, rise);
     }
     return {{.lower = lower.value, .upper = upper.value}, {lower.closed, upper.closed}};
-}
-
-Determination determination_of(bool lower_closed, bool upper_closed) {
-    if (lower_closed && upper_closed) {
-        return Determination::determined;
-    }
-    if (lower_closed) {
-        return Determination::bounded_below;
-    }
-    return upper_closed ? Determination::bounded_above : Determination::undetermined;
 }
 
 ProfileLikelihood Tracer::trace() {
@@ -299,6 +306,8 @@ ProfileLikelihood Tracer::trace() {
     const auto [interval_95, closed] = interval(chi_square_quantile(probability_95, 1));
     profile.interval_95 = interval_95;
     profile.determination = determination_of(closed.first, closed.second);
+    profile.lower_bounded_by = closed.first ? at_bounds(interval_95.lower) : std::vector<std::string>{};
+    profile.upper_bounded_by = closed.second ? at_bounds(interval_95.upper) : std::vector<std::string>{};
     for (const auto& [value, knot] : knots_) {
         profile.values.push_back(value);
         profile.misfits.push_back(knot.misfit);
@@ -322,6 +331,16 @@ std::vector<MinimumCluster> further_minima(const Search& search, Priors priors, 
 }
 
 }  // namespace
+
+Determination determination_of(bool lower_closed, bool upper_closed) {
+    if (lower_closed && upper_closed) {
+        return Determination::determined;
+    }
+    if (lower_closed) {
+        return Determination::bounded_below;
+    }
+    return upper_closed ? Determination::bounded_above : Determination::undetermined;
+}
 
 std::vector<ProfileLikelihood> trace_profiles(const Search& search, Priors priors,
                                               std::span<const MinimumCluster> minima, MinimiseResult& best) {

@@ -71,6 +71,9 @@ MinimiseResult polish_best_of(const Search& search, Priors priors, const std::ve
 void add_minimum(std::vector<MinimumCluster>& minima, std::span<const double> point, double misfit,
                  std::span<const Interval> bounds);
 
+// By the ends of an interval that are evidence.
+Determination determination_of(bool lower_closed, bool upper_closed);
+
 // One profile for each free parameter. `minima` are those known, of this or a similar misfit. `best` is the minimum of
 // the same misfit; if a profile finds a lower one it replaces `best` (polished) and the profiles are traced again. The
 // evaluations are added to `best.evaluations`. Empty if `best` holds no point or the caller asked to stop.

@@ -23,11 +23,38 @@ struct Sorted {
     Places determined;
     Places involved;
     Places missed;  // would be determined, but the data that depend on them are missed
+
+    // Of those involved.
+    int combinations(int rank) const { return rank - static_cast<int>(determined.size() + missed.size()); }
 };
 
 double effect_of(const Identifiability& facts, Eigen::Index place) {
     const Eigen::Map<const Eigen::VectorXd> values(facts.singular_values.data(), std::ssize(facts.singular_values));
     return facts.directions.row(place).cwiseProduct(values.transpose()).norm();
+}
+
+Sorted sorted_by_determination(const Identifiability& facts) {
+    Sorted result;
+    const auto count = static_cast<Eigen::Index>(facts.parameters.size());
+    const auto far_from_data = [&](Eigen::Index place) {
+        return facts.misses[static_cast<std::size_t>(place)] > far_off;
+    };
+    const Eigen::MatrixXd hidden = facts.directions.rightCols(count - facts.rank);
+    for (Eigen::Index place = 0; place < count; ++place) {
+        if (effect_of(facts, place) < untouched_below) {
+            result.untouched.push_back(place);
+        } else if (hidden.cols() > 0 && hidden.row(place).norm() > involved_above) {
+            result.involved.push_back(place);
+        } else {
+            (far_from_data(place) ? result.missed : result.determined).push_back(place);
+        }
+    }
+    // A combination is worth no more if data that are missed determine it.
+    if (std::ranges::any_of(result.involved, far_from_data)) {
+        result.missed.insert(result.missed.end(), result.involved.begin(), result.involved.end());
+        result.involved.clear();
+    }
+    return result;
 }
 
 class Words {
@@ -38,7 +65,6 @@ class Words {
     std::string all() const;
 
   private:
-    Sorted sort() const;
     std::string doubt() const;
     std::string combination(const Places& involved, int known) const;
     std::string missed(const Places& places) const;
@@ -63,27 +89,6 @@ std::string Words::names(const Places& places) const {
         items.push_back(name(place));
     }
     return list_in_words(items);
-}
-
-Sorted Words::sort() const {
-    Sorted result;
-    const auto far_from_data = [&](Eigen::Index place) { return miss(place) > far_off; };
-    const Eigen::MatrixXd hidden = unseen();
-    for (Eigen::Index place = 0; place < count(); ++place) {
-        if (effect_of(facts_, place) < untouched_below) {
-            result.untouched.push_back(place);
-        } else if (hidden.cols() > 0 && hidden.row(place).norm() > involved_above) {
-            result.involved.push_back(place);
-        } else {
-            (far_from_data(place) ? result.missed : result.determined).push_back(place);
-        }
-    }
-    // A combination is worth no more if data that are missed determine it.
-    if (std::ranges::any_of(result.involved, far_from_data)) {
-        result.missed.insert(result.missed.end(), result.involved.begin(), result.involved.end());
-        result.involved.clear();
-    }
-    return result;
 }
 
 // "a rise of 0.043", "a fall of 3 deg"; `scaled` is a share of the range.
@@ -213,7 +218,7 @@ std::string Words::all() const {
         facts_.status == IdentifiabilityStatus::run_contradicts) {
         return doubt();
     }
-    const Sorted sorted = sort();
+    const Sorted sorted = sorted_by_determination(facts_);
     std::vector<std::string> sentences = {doubt()};
     if (!sorted.untouched.empty()) {
         sentences.push_back("Nothing observed depends on " + names(sorted.untouched) + " near the best point.");
@@ -224,8 +229,7 @@ std::string Words::all() const {
     if (!sorted.missed.empty()) {
         sentences.push_back(missed(sorted.missed));
     }
-    const int known = facts_.rank - static_cast<int>(sorted.determined.size() + sorted.missed.size());
-    sentences.push_back(combination(sorted.involved, known));
+    sentences.push_back(combination(sorted.involved, sorted.combinations(facts_.rank)));
     sentences.push_back(priors());
     std::string text;
     for (const std::string& sentence : sentences) {
@@ -265,6 +269,20 @@ bool in_doubt(const Identifiability& identifiability, const std::string& paramet
     const auto found = std::ranges::find(identifiability.parameters, parameter);
     const auto place = static_cast<std::size_t>(found - identifiability.parameters.begin());
     return place < identifiability.misses.size() && identifiability.misses[place] > far_off;
+}
+
+std::vector<std::string> exchangeable(const Identifiability& identifiability) {
+    std::vector<std::string> names;
+    if (identifiability.singular_values.empty()) {
+        return names;
+    }
+    const Sorted sorted = sorted_by_determination(identifiability);
+    if (sorted.combinations(identifiability.rank) > 0) {
+        for (const Eigen::Index place : sorted.involved) {
+            names.push_back(identifiability.parameters[static_cast<std::size_t>(place)]);
+        }
+    }
+    return names;
 }
 
 std::string doubt_from_profiles(const Identifiability& identifiability,

@@ -51,11 +51,16 @@ struct ProfileLikelihood {
     Interval interval_95;
     Determination determination;
     bool with_priors;  // whether the priors of the other and of this parameter were counted
+    // Other parameters that lie at a bound of their range at an end of interval_95 and of which the data determine only
+    // combinations with this one. Such an end is due to their range, is no evidence either and does not count as
+    // closed.
+    std::vector<std::string> lower_bounded_by = {};
+    std::vector<std::string> upper_bounded_by = {};
 };
 
 // share_tasks uses this, and the members of the locus below.
 DELABOLE_MEMBERS(ProfileLikelihood, parameter, values, misfits, least_misfit, interval_68, interval_95, determination,
-                 with_priors)
+                 with_priors, lower_bounded_by, upper_bounded_by)
 
 enum class IdentifiabilityStatus {
     reliable,

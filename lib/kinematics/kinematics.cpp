@@ -85,22 +85,21 @@ bool in_window(const PoleWindow& window, const Orientation& plane) {
 struct SetsOfStudy {
     KinematicsCheck check = KinematicsCheck::valid;
     std::vector<AnalysedSet> sets = {};
-    std::vector<bool> has_set = {};  // for each pole
+    std::vector<std::vector<std::size_t>> sets_of_pole = {};
     std::vector<double> information_criterion = {};
+    std::vector<bool> too_small = {};
 };
 
 SetsOfStudy found_sets(const Kinematics& model, const Poles& poles) {
     PoleClusters clusters = find_clusters(poles.planes, poles.weights, most_sets_searched(model));
-    SetsOfStudy result{.information_criterion = std::move(clusters.information_criterion)};
+    SetsOfStudy result{.information_criterion = std::move(clusters.information_criterion),
+                       .too_small = std::move(clusters.too_small)};
     for (std::size_t index = 0; index < clusters.sets.size(); ++index) {
-        AnalysedSet set = measured_set("set_" + std::to_string(index + 1), poles,
-                                       [&](std::size_t pole) { return clusters.of[pole] == index; });
-        if (!set.planes.empty()) {
-            result.sets.push_back(std::move(set));
-        }
+        result.sets.push_back(measured_set("set_" + std::to_string(index + 1), poles,
+                                           [&](std::size_t pole) { return clusters.of[pole] == index; }));
     }
     for (const std::optional<std::size_t>& set : clusters.of) {
-        result.has_set.push_back(set.has_value());
+        result.sets_of_pole.push_back(set ? std::vector{*set} : std::vector<std::size_t>{});
     }
     result.check = result.sets.empty() ? KinematicsCheck::no_set_found : KinematicsCheck::valid;
     return result;
@@ -112,12 +111,15 @@ SetsOfStudy sets_of(const KinematicsStudy& study, const Poles& poles) {
         return found_sets(model, poles);
     }
     const OrientationSampling sampling = sampling_of(study);
-    SetsOfStudy result{.has_set = std::vector<bool>(poles.planes.size())};
+    SetsOfStudy result{};
+    result.sets_of_pole.resize(poles.planes.size());
     for (const JointSet& set : model.joint_set) {
         if (const auto* window = std::get_if<PoleWindow>(&set.orientation)) {
             result.sets.push_back(measured_set(set.name, poles, [&](std::size_t pole) {
                 const bool inside = in_window(*window, poles.planes[pole]);
-                result.has_set[pole] = result.has_set[pole] || inside;
+                if (inside) {
+                    result.sets_of_pole[pole].push_back(result.sets.size());
+                }
                 return inside;
             }));
             if (result.sets.back().planes.empty()) {
@@ -292,8 +294,10 @@ PoleCounts counts_of(const Kinematics& model, const std::vector<Orientation>& pl
             const Feasibility axis = axis_between(model, one, other);
             counts.intersections += axis == Feasibility::planes_parallel ? 0 : 1;
             counts.toppling_axis += axis == Feasibility::feasible ? 1 : 0;
-            counts.wedge_sliding +=
-                wedge_sliding(model.slope, one, other, friction).feasibility == Feasibility::feasible ? 1 : 0;
+            if (wedge_sliding(model.slope, one, other, friction).feasibility == Feasibility::feasible) {
+                counts.wedge_sliding += 1;
+                counts.wedge_sliding_secondary += intersection(one, other)->plunge <= friction ? 1 : 0;
+            }
         }
     }
     return counts;
@@ -376,14 +380,16 @@ KinematicsResult analyse(const KinematicsStudy& study) {
     if (!poles.planes.empty()) {
         result.poles = counts_of(model, poles.planes);
         for (std::size_t pole = 0; pole < poles.planes.size(); ++pole) {
-            if (!found.has_set[pole]) {
+            if (found.sets_of_pole[pole].empty()) {
                 result.without_set.push_back(poles.planes[pole]);
                 result.weights_without_set.push_back(poles.weights[pole]);
             }
         }
         result.poles->without_set = static_cast<double>(result.without_set.size());
     }
+    result.sets_of_pole = std::move(found.sets_of_pole);
     result.information_criterion = std::move(found.information_criterion);
+    result.too_small = std::move(found.too_small);
     return result;
 }
 

@@ -122,6 +122,7 @@ struct PoleCounts {
     double toppling_base;
     double intersections;
     double wedge_sliding;
+    double wedge_sliding_secondary;  // of these, in the secondary zone of kinematics/stereonet.hpp
     double toppling_axis;
     double without_set;
     static constexpr auto fields() {
@@ -133,7 +134,9 @@ struct PoleCounts {
             number<&PoleCounts::toppling_base>(any, "poles of planes that can be a base of direct toppling"),
             number<&PoleCounts::intersections>(
                 any, "lines along which two of the planes meet, those of 1000 planes where there are more"),
-            number<&PoleCounts::wedge_sliding>(any, "lines along which wedges can slide"),
+            number<&PoleCounts::wedge_sliding>(any, "lines of wedges that can slide, in both zones"),
+            number<&PoleCounts::wedge_sliding_secondary>(
+                any, "of these, lines that plunge less than the friction angle: the wedge slides on one steeper plane"),
             number<&PoleCounts::toppling_axis>(any, "lines that can be the axis of toppling columns"),
             number<&PoleCounts::without_set>(any, "poles that belong to no set")};
     }
@@ -148,7 +151,9 @@ struct KinematicsResult {
     std::vector<std::vector<double>> sampled_weights{};           // one for each of the same planes
     std::vector<Orientation> without_set{};                       // measured planes that belong to no set
     std::vector<double> weights_without_set{};
-    std::vector<double> information_criterion{};  // of PoleClusters, if sets were searched for
+    std::vector<std::vector<std::size_t>> sets_of_pole{};  // of each measured plane; windows may overlap
+    std::vector<double> information_criterion{};           // of PoleClusters, if sets were searched for
+    std::vector<bool> too_small{};                         // likewise
     static constexpr auto fields() {
         using R = KinematicsResult;
         return std::tuple{section<&R::joint_set>("every joint set"), section<&R::pair>("every pair of joint sets"),

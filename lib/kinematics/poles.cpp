@@ -186,6 +186,93 @@ std::optional<std::size_t> likeliest(const Mixture& mixture, std::size_t pole) {
     return best;
 }
 
+// Poles of a set, with their resultant when all are turned to the side of its axis.
+struct Members {
+    std::vector<std::size_t> poles;
+    Direction sum;  // weighted
+    double weight;
+};
+
+class StraySearch {
+  public:
+    StraySearch(const std::vector<Direction>& poles, const std::vector<double>& weights)
+        : poles_(poles), weights_(weights) {}
+
+    // Candidates and members are in ascending order.
+    Members members(const std::vector<std::size_t>& candidates, const Direction& axis) const {
+        constexpr int most_rounds = 100;
+        Members found = together(candidates, axis);
+        for (int round = 0; round < most_rounds; ++round) {
+            std::vector<std::size_t> next;
+            for (const std::size_t pole : candidates) {
+                if (belongs(found, pole)) {
+                    next.push_back(pole);
+                }
+            }
+            if (next == found.poles) {
+                break;
+            }
+            found = together(std::move(next), found.sum);
+        }
+        return found;
+    }
+
+  private:
+    Direction turned(std::size_t pole, const Direction& axis) const {
+        return poles_[pole].dot(axis) < 0 ? Direction(-poles_[pole]) : poles_[pole];
+    }
+
+    Members together(std::vector<std::size_t> poles, const Direction& axis) const {
+        Members members{std::move(poles), Direction::Zero(), 0};
+        for (const std::size_t pole : members.poles) {
+            members.sum += weights_[pole] * turned(pole, axis);
+            members.weight += weights_[pole];
+        }
+        return members;
+    }
+
+    bool belongs(const Members& members, std::size_t pole) const {
+        const bool member = std::ranges::binary_search(members.poles, pole);
+        const double others = static_cast<double>(members.poles.size()) - (member ? 1 : 0);
+        if (others < 2) {
+            return true;
+        }
+        const Direction own = turned(pole, members.sum);
+        const double own_weight = member ? weights_[pole] : 0;
+        const Direction resultant = others / (members.weight - own_weight) * (members.sum - own_weight * own);
+        const double scatter = std::max(others - resultant.norm(), (others - 1) / most_concentration);
+        const double ratio = (others - 1) * (1 + resultant.norm() - (resultant + own).norm()) / scatter;
+        return ratio <= (others - 1) * std::expm1(std::log(100.0) / (others - 1));
+    }
+
+    const std::vector<Direction>& poles_;
+    const std::vector<double>& weights_;
+};
+
+std::vector<Members> members_of(const Mixture& mixture, const std::vector<Direction>& poles,
+                                const std::vector<double>& weights) {
+    std::vector<std::vector<std::size_t>> candidates(mixture.sets.size());
+    for (std::size_t pole = 0; pole < poles.size(); ++pole) {
+        if (const std::optional<std::size_t> set = likeliest(mixture, pole)) {
+            candidates[*set].push_back(pole);
+        }
+    }
+    const StraySearch search(poles, weights);
+    std::vector<Members> sets;
+    for (std::size_t set = 0; set < candidates.size(); ++set) {
+        sets.push_back(search.members(candidates[set], mixture.sets[set].axis));
+    }
+    return sets;
+}
+
+PoleCluster cluster_of(const Members& members, double total) {
+    const auto count = static_cast<double>(members.poles.size());
+    const double missing = count * (1 - members.sum.norm() / members.weight);
+    const Direction axis = members.sum.normalized();
+    return {axis.z() < 0 ? Direction(-axis) : axis, (count - 1) / std::max(missing, (count - 1) / most_concentration),
+            members.weight / total};
+}
+
 }  // namespace
 
 double terzaghi_weight(const Orientation& plane, const LineOrientation& line, double least_angle) {
@@ -229,39 +316,35 @@ PoleClusters find_clusters(const std::vector<Orientation>& planes, const std::ve
     }
     const MixtureFit fit(poles, scaled);
     Mixture mixture = fit.empty();
-    Mixture best = mixture;
+    std::vector<Members> best;
     PoleClusters clusters;
     clusters.information_criterion = {0};
+    clusters.too_small = {false};
     double least = 0;
     for (std::size_t sets = 1; sets <= most_sets && 4 * sets < planes.size(); ++sets) {
         mixture = fit.with_another(mixture);
         const double criterion = -2 * mixture.log_likelihood + 4 * static_cast<double>(sets) * std::log(count);
         // Concentrated on one or two poles, a set would be likelier than the background at which they stand.
-        constexpr double fewest_poles = 3;
-        const bool are_sets = std::ranges::all_of(
-            mixture.sets, [&](const PoleCluster& set) { return set.share * count >= fewest_poles - 0.5; });
-        if (are_sets && criterion < least) {
+        constexpr std::size_t fewest_poles = 3;
+        std::vector<Members> found = members_of(mixture, poles, scaled);
+        const bool too_small =
+            std::ranges::any_of(found, [](const Members& set) { return set.poles.size() < fewest_poles; });
+        if (!too_small && criterion < least) {
             least = criterion;
-            best = mixture;
+            best = std::move(found);
         }
         clusters.information_criterion.push_back(criterion);
+        clusters.too_small.push_back(too_small);
     }
-    // The largest set comes first; sets of equal share are in the order in which they were found.
-    std::vector<std::size_t> order(best.sets.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::greater{}, [&](std::size_t set) { return best.sets[set].share; });
-    Mixture sorted{{}, best.background, best.log_likelihood, {}};
-    for (const std::size_t set : order) {
-        sorted.sets.push_back(best.sets[set]);
-        sorted.probability.push_back(best.probability[set]);
-        if (sorted.sets.back().axis.z() < 0) {
-            sorted.sets.back().axis *= -1;
+    // The largest set comes first; sets of equal weight are in the order in which they were found.
+    std::ranges::stable_sort(best, std::greater{}, &Members::weight);
+    clusters.of.resize(poles.size());
+    for (std::size_t set = 0; set < best.size(); ++set) {
+        clusters.sets.push_back(cluster_of(best[set], count));
+        for (const std::size_t pole : best[set].poles) {
+            clusters.of[pole] = set;
         }
     }
-    for (std::size_t pole = 0; pole < poles.size(); ++pole) {
-        clusters.of.push_back(likeliest(sorted, pole));
-    }
-    clusters.sets = std::move(sorted.sets);
     return clusters;
 }
 

@@ -133,6 +133,14 @@ Polyline wedge_sliding_zone(const SlopeOrientation& slope, double friction_angle
         [&](double) { return friction_angle; }, [&](double aside) { return apparent(slope.face_dip, aside); });
 }
 
+Polyline secondary_wedge_sliding_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
+                                      std::size_t count) {
+    return zone(
+        slope.face_dip_direction, slope.face_dip > friction_angle && friction_angle > 0 ? right_angle : 0, count,
+        projection, [&](double aside) { return std::max(0.0, apparent(friction_angle, aside)); },
+        [&](double aside) { return std::clamp(apparent(slope.face_dip, aside), 0.0, friction_angle); });
+}
+
 Polyline toppling_axis_zone(const SlopeOrientation& slope, double lateral_limit, NetProjection projection,
                             std::size_t count) {
     return zone(

@@ -53,10 +53,17 @@ Polyline planar_sliding_zone(const SlopeOrientation& slope, double friction_angl
 Polyline flexural_toppling_zone(const SlopeOrientation& slope, double friction_angle, double lateral_limit,
                                 NetProjection projection, std::size_t count = 181);
 
-// Lines of intersection along which wedge sliding is feasible. Wedges that slide on a single plane follow its dip
-// vector, which lies in the same zone.
+// Lines of intersection along which wedge sliding is feasible on both planes: the primary zone. Wedges that slide on a
+// single plane follow its dip vector, which lies in the same zone.
 Polyline wedge_sliding_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
                             std::size_t count = 181);
+// Lines of intersection that plunge less than the friction angle and yet may belong to a wedge that slides, on one
+// plane steeper than that: the secondary zone, of two wings that meet in the dip direction of the face. Such a plane
+// dips in a direction between those of line and face (Hocking 1976) and is the steeper the nearer to the latter, so
+// that the line plunges more steeply than the plane that dips with the face at the friction angle does in the line's
+// direction.
+Polyline secondary_wedge_sliding_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
+                                      std::size_t count = 181);
 
 // Lines of intersection that can be axes of toppling columns: those within the lateral limit, and the oblique ones near
 // vertical. The two zones overlap.

@@ -391,7 +391,9 @@ Figure plane_figure(const StereonetDrawing& drawing) {
     const std::string friction = degrees_text(drawing.friction_angle);
     Figure figure = empty_net(drawing.title, "mean planes and intersections");
     add_zone(figure, wedge_sliding_zone(drawing.slope, drawing.friction_angle, projection),
-             "intersections along which wedges slide", Colour::rock);
+             "intersections of wedges that slide (primary zone)", Colour::rock);
+    add_zone(figure, secondary_wedge_sliding_zone(drawing.slope, drawing.friction_angle, projection),
+             "where they slide on one steeper plane, if at all (secondary zone)", Colour::pale_vermilion);
     add_zone(figure, toppling_axis_zone(drawing.slope, drawing.lateral_limit.direct_toppling, projection),
              "axes of toppling columns, ±" + degrees_text(drawing.lateral_limit.direct_toppling) + "°", Colour::sky);
     add_zone(figure, oblique_toppling_axis_zone(drawing.slope, drawing.friction_angle, projection),

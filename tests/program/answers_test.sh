@@ -88,7 +88,7 @@ fits() {
 }
 write_good_fit good_fit.toml
 fits 'Best fit: friction angle [0-9.]+ deg \(.* with 95 %\) and water depth ' good_fit.toml
-fits 'The data determine one combination of its 2 parameters[.]' good_fit.toml
+fits 'Friction angle and water depth: only one combination is determined: along ' good_fit.toml
 cat good.toml - >two.toml <<'CASE'
 [fit]
 starts = 2

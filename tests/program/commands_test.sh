@@ -311,9 +311,10 @@ delabole init fit --out fit_start.toml
 delabole fit fit_start.toml --out fit_start
 head_card=$(grep -A3 -m1 'Best fit with' fit_start/report.html)
 for phrase in 'Best fit with the priors: friction angle 35.9' '(30.9' 'to 39.6' 'at most 12.1' \
-    'The data determine one combination of its 2 parameters' 'only one combination is determined: along the line FS = 1'; do
+    'Friction angle and cohesion: only one combination is determined: along the line FS = 1' 'deg in friction angle is offset'; do
     expect "its head card has: $phrase" grep -qF -- "$phrase" <<<"$head_card"
 done
+expect "and no names of keys" refuse grep -qF 'strength.' <<<"$head_card"
 expect "no ranking of one" refuse grep -q 'one mechanism that was fitted' fit_start/report.html
 expect "a title of what is drawn" contains fit_start/figures/*_section.gp 'The slope at the best point'
 expect "no rounding" test -z "$(awk -F, 'NR > 1 && (($3 != 0 && $3 < 1e-9) || ($5 != 0 && $5 < 1e-10))' fit_start/*_profiles.csv)"
@@ -401,6 +402,10 @@ expect "the face is that of the study" grep -qF 'x = "4.37 m", y = "12 m"' my_sl
 expect "apparent dips are the cuts', but of the set that strikes along the section" test \
     "$(grep -o 'dip = "[^ ]*' my_slope.toml | cut -d'"' -f2 | xargs printf '%.1f ')" == \
     "$(awk -F, 'NR > 1 && $1 != "set_3" { printf "%.1f ", $4 }' 'poles of a cut/joint_sets.csv')"
+expect "the title tells the study" grep -qF 'title = "Joint sets found in the poles of a road cut: a slope cut by' my_slope.toml
+expect "how well a mean is known stands beside it" grep -qE 'mean is known to [0-9.]+ deg with 95 %$' my_slope.toml
+expect "every pole has its set, or none" test "$(awk -F, 'NR > 1 { all++; none += $5 == "" } END { print all, none }' \
+    'poles of a cut/poles.csv')" == "100 $(awk -F, '$1 == "poles.without_set" { print $2 }' 'poles of a cut/results.csv')"
 expect "which is named" grep -qF 'strike within 30 deg of it: "set_3".' my_slope.toml
 delabole init jointed_slope --sets "$source_folder/cases/kinematics/road_cut_poles.toml"
 expect "the case does as well as its results" cmp "$scratch/out" my_slope.toml

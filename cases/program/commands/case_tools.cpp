@@ -126,7 +126,7 @@ std::string slope_with_sets(const std::filesystem::path& path) {
     }
     refuse_impossible(file);
     try {
-        return jointed_slope_of(*study, analyse(*study));
+        return jointed_slope_of(*study, file.title, analyse(*study));
     } catch (const std::invalid_argument& error) {
         throw UsageError("init: --sets " + path.string() + ": " + error.what());
     }

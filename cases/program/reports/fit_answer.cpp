@@ -4,6 +4,7 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace delabole {
@@ -52,6 +53,30 @@ std::string screen_of(const Table& table, std::vector<std::string> titles) {
 }
 
 namespace {
+
+// The verdict with the names that the sentence about the values uses, in sentences that begin with a capital.
+std::string verdict_in_short_names(const MechanismFit& fit) {
+    std::vector<std::string> names;
+    for (const FreeParameter& parameter : fit.parameters) {
+        names.push_back(parameter.name);
+    }
+    // A name may begin like another one.
+    std::ranges::sort(names, std::greater{}, [](const std::string& name) { return name.size(); });
+    const std::string& verdict = fit.identifiability.verdict;
+    std::string text;
+    for (std::size_t place = 0; place < verdict.size();) {
+        const auto name = std::ranges::find_if(
+            names, [&](const std::string& one) { return verdict.compare(place, one.size(), one) == 0; });
+        if (name == names.end()) {
+            text += verdict[place++];
+            continue;
+        }
+        const std::string own = short_name(fit, *name);
+        text += text.empty() || text.ends_with(". ") ? capitalised(own) : own;
+        place += name->size();
+    }
+    return text;
+}
 
 std::string determined_in_words(const MechanismFit& fit) {
     const std::size_t count = fit.parameters.size();
@@ -120,8 +145,7 @@ HeadCard head_card(const FitResult& result) {
             head.sentences.push_back("Best fit" + std::string(with_priors ? " with the priors" : "") + ": " + values +
                                      ".");
         }
-        head.sentences.push_back(determined_in_words(best) + ".");
-        head.sentences.push_back(best.identifiability.verdict);
+        head.sentences.push_back(verdict_in_short_names(best));
         return head;
     }
     const std::string probability = probability_of_best(result);

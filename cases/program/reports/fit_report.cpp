@@ -18,11 +18,34 @@ namespace delabole {
 
 namespace {
 
-std::string determination_in_words(const ProfileLikelihood* profile) {
-    return profile == nullptr
-               ? ""
-               : words_for(profile->determination, {"determined", "only a lower limit", "only an upper limit",
-                                                    "not identifiable", "doubtful: see the verdict"});
+// The parameters whose ranges end the interval at either side.
+std::string ranges_in_words(const MechanismFit& fit, const ProfileLikelihood& profile) {
+    std::vector<std::string> names;
+    for (const FreeParameter& parameter : fit.parameters) {
+        const auto among = [&](const std::vector<std::string>& all) {
+            return std::ranges::find(all, parameter.name) != all.end();
+        };
+        if (among(profile.lower_bounded_by) || among(profile.upper_bounded_by)) {
+            names.push_back(short_name(fit, parameter.name));
+        }
+    }
+    return (names.size() > 1 ? "the ranges of " : "the range of ") + list_in_words(names);
+}
+
+std::string determination_in_words(const MechanismFit& fit, const ProfileLikelihood* profile) {
+    if (profile == nullptr) {
+        return "";
+    }
+    const std::string words = words_for(
+        profile->determination,
+        {"determined", "only a lower limit", "only an upper limit", "not identifiable", "doubtful: see the verdict"});
+    if (profile->determination == Determination::doubtful ||
+        (profile->lower_bounded_by.empty() && profile->upper_bounded_by.empty())) {
+        return words;
+    }
+    return profile->determination == Determination::undetermined
+               ? "bounded only by " + ranges_in_words(fit, *profile)
+               : words + ": the other end is due to " + ranges_in_words(fit, *profile);
 }
 
 std::string data_misfit_in_words(const MechanismFit& fit) {
@@ -57,7 +80,7 @@ Table parameter_table(const MechanismFit& fit) {
         table.rows.push_back({name, value_in_words(fit.best[index], dimension),
                               interval_in_words(profile_of(fit, name, true), fit.parameters[index], dimension),
                               interval_in_words(data_only, fit.parameters[index], dimension),
-                              determination_in_words(data_only)});
+                              determination_in_words(fit, data_only)});
     }
     return table;
 }
@@ -106,9 +129,9 @@ Json json_of(const MechanismFit& fit) {
         entry["best"] = json_of(fit.best[index], dimension);
         for (const bool with_priors : {true, false}) {
             if (const ProfileLikelihood* profile = profile_of(fit, name, with_priors)) {
-                put<&ProfileLikelihood::interval_68, &ProfileLikelihood::interval_95,
-                    &ProfileLikelihood::determination>(entry[with_priors ? "with_priors" : "data_only"], *profile,
-                                                       dimension);
+                put<&ProfileLikelihood::interval_68, &ProfileLikelihood::interval_95, &ProfileLikelihood::determination,
+                    &ProfileLikelihood::lower_bounded_by, &ProfileLikelihood::upper_bounded_by>(
+                    entry[with_priors ? "with_priors" : "data_only"], *profile, dimension);
             }
         }
     }

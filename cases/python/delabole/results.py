@@ -118,6 +118,8 @@ class ProfileLikelihood:
         self.interval_68: tuple[float, float] = made["interval_68"]
         self.interval_95: tuple[float, float] = made["interval_95"]
         self.determination: str = made["determination"]
+        self.lower_bounded_by: list[str] = made["lower_bounded_by"]
+        self.upper_bounded_by: list[str] = made["upper_bounded_by"]
 
 
 class FailureLocus:

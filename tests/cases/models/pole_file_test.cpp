@@ -54,16 +54,29 @@ TEST(PoleFile, ReadsThreeNotationsOfOnePlane) {
     expect_plane(planes_of_csv("dip,strike\n40,-355\n", "poles"), 40, 95);
 }
 
+TEST(PoleFile, CountsAPlaneAsManyTimesAsItsQuantity) {
+    const std::vector<Orientation> planes = planes_of_csv("Dip,Dip Direction,Quantity\n40,95,3\n50,105,1\n", "poles");
+    ASSERT_EQ(planes.size(), 4U);
+    EXPECT_NEAR(planes[2].dip, degrees(40), 1e-12);
+    EXPECT_NEAR(planes[3].dip, degrees(50), 1e-12);
+}
+
 TEST(PoleFile, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(problem_of("dip,azimuth\n40,95\n"),
               "poles.csv:1:1: must name the columns dip and dip_direction, strike and dip, or trend and plunge");
     EXPECT_EQ(problem_of("dip,dip_direction\n40,95\n95,40\n"),
-              "poles.csv:3:1: inclination = \"95\": must be a number of degrees from 0 to 90");
+              "poles.csv:3:1: dip = \"95\": must be a number of degrees from 0 to 90");
     EXPECT_EQ(problem_of("dip,dip_direction\n40,N95E\n"),
-              "poles.csv:2:4: azimuth = \"N95E\": must be a number of degrees from -360 to 360");
+              "poles.csv:2:4: dip_direction = \"N95E\": must be a number of degrees from -360 to 360");
     EXPECT_LT(problem_of("dip,dip_direction\n" + std::string(1'000'000, '1') + ",40\n").size(), 200U);
-    EXPECT_EQ(problem_of("dip,dip_direction\n40\n"), "poles.csv:2:1: has no azimuth: too few columns");
+    EXPECT_EQ(problem_of("dip,dip_direction\n40\n"), "poles.csv:2:1: has no dip_direction: too few columns");
     EXPECT_EQ(problem_of("dip,dip_direction\n"), "poles.csv:1:1: has no planes below the names of its columns");
+    EXPECT_EQ(problem_of("ID,Dip (deg),Dip Direction,Quantity\n1,95,40,0\n2,40,95,1.5\n"),
+              "poles.csv:2:3: Dip (deg) = \"95\": must be a number of degrees from 0 to 90\n"
+              "poles.csv:2:9: Quantity = \"0\": must be a whole number of poles from 1 to 10000\n"
+              "poles.csv:3:9: Quantity = \"1.5\": must be a whole number of poles from 1 to 10000");
+    EXPECT_EQ(problem_of("dip,dip_direction,quantity\n40,95,9999\n50,95,2\n"),
+              "poles.csv:3:1: is the first line beyond 10000 planes: more are not read");
     std::string many = "dip,dip_direction\n";
     for (int row = 0; row <= 10'000; ++row) {
         many += "1,1\n";

@@ -85,7 +85,10 @@ TEST(ProfileLikelihood, IsUndeterminedAlongTheFailureLine) {
     const MechanismFit result = fit(problem).mechanisms[0];
     EXPECT_EQ(result.profiles.size(), 4u);
     const ProfileLikelihood& first = profile(result, "x1", false);
-    EXPECT_EQ(first.determination, Determination::bounded_below);
+    // The misfit rises there only because x2 may not be less than 0, which is no evidence.
+    EXPECT_EQ(first.determination, Determination::undetermined);
+    EXPECT_EQ(first.lower_bounded_by, std::vector<std::string>{"x2"});
+    EXPECT_TRUE(first.upper_bounded_by.empty());
     EXPECT_NEAR(first.interval_95.lower, 0.5 - z_95 * 0.05 / 0.8, 1e-4);  // x2 = 0 and FS = 1 - 1.96 sd
     EXPECT_EQ(first.interval_95.upper, 1);
     const ProfileLikelihood& second = profile(result, "x2", false);

@@ -138,6 +138,70 @@ TEST(Poles, ALonePoleIsNoSet) {
     EXPECT_FALSE(clusters.of[29]);
 }
 
+TEST(Poles, AStrayBelongsToNoSet) {
+    std::vector<Orientation> planes;
+    append(planes, 76, 310, 60, 14, 1);
+    append(planes, 84, 214, 60, 13, 2);
+    planes.push_back({degrees(61), degrees(190)});  // 32 deg from the mean; the cone of 99 % reaches to 26 deg
+    const PoleClusters clusters = find_clusters(planes, alike(planes.size()), 3);
+    ASSERT_EQ(clusters.sets.size(), 2U);
+    EXPECT_FALSE(clusters.of[27]);
+    std::size_t members = 0;
+    for (const std::optional<std::size_t>& set : clusters.of) {
+        members += set ? 1 : 0;
+    }
+    EXPECT_EQ(members, 27U);
+    // The sets are those of their members alone.
+    const std::vector<Orientation> second(planes.begin() + 14, planes.begin() + 27);
+    const FisherStatistics statistics = fisher_statistics(second, alike(13));
+    EXPECT_NEAR(clusters.sets[1].concentration, statistics.concentration, 1e-9 * statistics.concentration);
+}
+
+// Two sets without strays, 25 times: the F test takes 1 % of 800 poles, and the cones of confidence hold the means in
+// 95 % of 50. The bounds allow three standard deviations, and for the cones also what they lose by the poles taken.
+TEST(Poles, FewMembersAreTakenForStrays) {
+    int taken = 0;
+    int held = 0;
+    int means = 0;
+    for (std::uint64_t repetition = 0; repetition < 25; ++repetition) {
+        std::vector<Orientation> planes;
+        append(planes, 38, 125, 70, 18, 2 * repetition);
+        append(planes, 76, 310, 50, 14, 2 * repetition + 1);
+        const PoleClusters clusters = find_clusters(planes, alike(planes.size()), 2);
+        ASSERT_EQ(clusters.sets.size(), 2U);
+        taken += static_cast<int>(std::ranges::count_if(clusters.of, [](const auto& set) { return !set; }));
+        for (std::size_t set = 0; set < 2; ++set) {
+            std::vector<Orientation> members;
+            for (std::size_t pole = 0; pole < planes.size(); ++pole) {
+                if (clusters.of[pole] == set) {
+                    members.push_back(planes[pole]);
+                }
+            }
+            const FisherStatistics own = fisher_statistics(members, alike(members.size()));
+            const Direction mean = upward_normal({own.mean_dip, own.mean_dip_direction});
+            const double first = std::abs(mean.dot(upward_normal({degrees(38), degrees(125)})));
+            const double second = std::abs(mean.dot(upward_normal({degrees(76), degrees(310)})));
+            held += std::acos(std::min(1.0, std::max(first, second))) <= own.confidence_cone ? 1 : 0;
+            ++means;
+        }
+    }
+    EXPECT_GE(taken, 1);
+    EXPECT_LE(taken, 16);
+    EXPECT_EQ(means, 50);
+    EXPECT_GE(held, 41);
+}
+
+TEST(Poles, SaysWhichNumbersGiveSetsThatAreTooSmall) {
+    std::vector<Orientation> planes;
+    append(planes, 42, 210, 60, 14, 1);
+    append(planes, 78, 30, 50, 14, 2);
+    planes.push_back({degrees(34), degrees(318)});
+    planes.push_back({degrees(50), degrees(120)});
+    const PoleClusters clusters = find_clusters(planes, alike(planes.size()), 4);
+    EXPECT_EQ(clusters.too_small, (std::vector<bool>{false, false, false, true, true}));
+    EXPECT_LT(clusters.information_criterion[3], clusters.information_criterion[2]);
+}
+
 // Evidence is not certainty: of 20 samples of even scatter at most two show a set.
 TEST(Poles, EvenlyScatteredPolesHardlyFormSets) {
     int found = 0;
@@ -236,11 +300,27 @@ TEST(Poles, KinematicsCountsEveryPoleAndEveryIntersection) {
     }
     EXPECT_EQ(result.poles->planar_sliding, sliding);
     EXPECT_GT(sliding, 10);
+    // A line that plunges less than the friction angle belongs to the secondary zone.
+    double primary = 0;
+    double secondary = 0;
+    for (std::size_t first = 0; first < planes.size(); ++first) {
+        for (std::size_t second = 0; second < first; ++second) {
+            if (wedge_sliding(study.model.slope, planes[second], planes[first], degrees(30)).feasibility ==
+                Feasibility::feasible) {
+                (intersection(planes[second], planes[first])->plunge > degrees(30) ? primary : secondary) += 1;
+            }
+        }
+    }
+    EXPECT_EQ(result.poles->wedge_sliding, primary + secondary);
+    EXPECT_EQ(result.poles->wedge_sliding_secondary, secondary);
+    EXPECT_GT(secondary, 0);
     for (const JointSetFeasibility& set : result.joint_set) {
         ASSERT_TRUE(set.measured);
         in_sets += set.measured->count;
     }
     EXPECT_EQ(in_sets + result.poles->without_set, 70);
+    ASSERT_EQ(result.sets_of_pole.size(), 70U);
+    EXPECT_EQ(std::ranges::count_if(result.sets_of_pole, [](const auto& sets) { return sets.size() == 1; }), in_sets);
 }
 
 TEST(Poles, AWindowPicksASet) {

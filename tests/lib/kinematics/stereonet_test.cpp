@@ -160,6 +160,31 @@ TEST(Stereonet, ZonesHoldExactlyWhatIsFeasible) {
     EXPECT_TRUE(flexural_toppling_zone(gentle, degrees(31), degrees(30), NetProjection::equal_area).empty());
 }
 
+// Outside the primary zone a wedge slides only within the secondary one.
+TEST(Stereonet, TheSecondaryZoneHoldsTheFlatLinesAlongWhichWedgesSlide) {
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> share(0, 1);
+    const SlopeOrientation slope{degrees(68), degrees(130), {}};
+    const double friction = degrees(30);
+    const Polyline primary = wedge_sliding_zone(slope, friction, NetProjection::equal_area, 2001);
+    const Polyline secondary = secondary_wedge_sliding_zone(slope, friction, NetProjection::equal_area, 2001);
+    int flat = 0;
+    for (int trial = 0; trial < 5000; ++trial) {
+        const Orientation first{degrees(90) * share(random), degrees(360) * share(random)};
+        const Orientation second{degrees(90) * share(random), degrees(360) * share(random)};
+        const LineOrientation line = *intersection(first, second);
+        const Point image = projected_line(line, NetProjection::equal_area);
+        if (wedge_sliding(slope, first, second, friction).feasibility == Feasibility::feasible) {
+            const bool in_secondary = inside(secondary, image);
+            EXPECT_NE(inside(primary, image), in_secondary) << line.plunge << ' ' << line.trend;
+            flat += in_secondary ? 1 : 0;
+        }
+    }
+    EXPECT_GT(flat, 50);
+    EXPECT_TRUE(secondary_wedge_sliding_zone(slope, 0, NetProjection::equal_area).empty());
+    EXPECT_TRUE(secondary_wedge_sliding_zone(slope, degrees(68), NetProjection::equal_area).empty());
+}
+
 std::vector<Direction> random_poles(std::size_t count) {
     std::mt19937_64 random(9);
     std::normal_distribution<double> normal;

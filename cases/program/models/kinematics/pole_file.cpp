@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -63,6 +64,7 @@ struct PoleColumns {
     std::size_t inclination;
     std::size_t azimuth;
     Orientation (*plane)(double inclination, double azimuth);
+    std::optional<std::size_t> quantity = std::nullopt;
 };
 
 std::optional<PoleColumns> columns_of(const std::vector<PoleCell>& header) {
@@ -107,9 +109,7 @@ class PoleReader {
             }
             if (!columns_) {
                 read_header(content, line);
-            } else if (planes_.size() < most_poles) {
-                read_row(cells_of(content, separator_), line);
-            } else {
+            } else if (!read_row(cells_of(content, separator_), line)) {
                 reading_.complain(
                     {.line = line, .column = 1}, "", "",
                     "is the first line beyond " + std::to_string(most_poles) + " planes: more are not read");
@@ -131,41 +131,61 @@ class PoleReader {
                 break;
             }
         }
-        columns_ = columns_of(cells_of(content, separator_));
-        if (!columns_) {
+        const std::vector<PoleCell> header = cells_of(content, separator_);
+        for (const PoleCell& cell : header) {
+            const std::string name = shown(cell.text);
+            names_.push_back(name.substr(1, name.size() - 2));
+        }
+        columns_ = columns_of(header);
+        if (columns_) {
+            columns_->quantity = column_named(header, {"quantity"});
+        } else {
             reading_.complain({.line = line, .column = 1}, "", "",
                               "must name the columns dip and dip_direction, strike and dip, or trend and plunge");
             reading_.finish();
         }
     }
 
-    void read_row(const std::vector<PoleCell>& cells, int line) {
-        const auto inclination = angle(cells, columns_->inclination, line, "inclination", 0, 90);
-        const auto azimuth = angle(cells, columns_->azimuth, line, "azimuth", -360, 360);
-        if (inclination && azimuth) {
-            planes_.push_back(columns_->plane(*inclination, *azimuth));
+    // Whether the planes of the row have room among most_poles.
+    bool read_row(const std::vector<PoleCell>& cells, int line) {
+        const auto inclination = number_in(cells, columns_->inclination, line, 0, 90, "of degrees ");
+        const auto azimuth = number_in(cells, columns_->azimuth, line, -360, 360, "of degrees ");
+        const auto quantity = columns_->quantity
+                                  ? number_in(cells, *columns_->quantity, line, 1, most_poles, "of poles ")
+                                  : std::optional(1.0);
+        if (!inclination || !azimuth || !quantity) {
+            return planes_.size() < most_poles;
         }
+        const auto more = static_cast<std::size_t>(*quantity);
+        const bool fits = planes_.size() + more <= most_poles;
+        planes_.insert(planes_.end(), fits ? more : 0, columns_->plane(degrees(*inclination), degrees(*azimuth)));
+        return fits;
     }
 
-    std::optional<double> angle(const std::vector<PoleCell>& cells, std::size_t column, int line,
-                                const std::string& what, double lowest, double highest) {
+    // Degrees may have a fraction.
+    std::optional<double> number_in(const std::vector<PoleCell>& cells, std::size_t column, int line, double lowest,
+                                    double highest, const std::string& unit) {
+        const std::string& name = names_[column];
         if (column >= cells.size()) {
-            reading_.complain({.line = line, .column = 1}, "", "", "has no " + what + ": too few columns");
+            reading_.complain({.line = line, .column = 1}, "", "", "has no " + name + ": too few columns");
             return std::nullopt;
         }
         const std::string_view text = cells[column].text;
+        const bool whole = column == columns_->quantity;
         const auto value = bare_number(text);
-        if (!value || !(*value >= lowest && *value <= highest)) {
-            reading_.complain({.line = line, .column = cells[column].column}, what, shown(text),
-                              "must be a number of degrees from " + std::to_string(static_cast<int>(lowest)) + " to " +
+        if (!value || !(*value >= lowest && *value <= highest) || (whole && std::floor(*value) != *value)) {
+            reading_.complain({.line = line, .column = cells[column].column}, name, shown(text),
+                              std::string("must be a ") + (whole ? "whole " : "") + "number " + unit + "from " +
+                                  std::to_string(static_cast<int>(lowest)) + " to " +
                                   std::to_string(static_cast<int>(highest)));
             return std::nullopt;
         }
-        return degrees(*value);
+        return value;
     }
 
     Reading reading_;
     char separator_ = ',';
+    std::vector<std::string> names_;  // of the columns, as the file writes them
     std::optional<PoleColumns> columns_;
     std::vector<Orientation> planes_;
 };

@@ -4,8 +4,9 @@
 // upper or lower case and with or without "(deg)":
 //   dip and dip direction (or dip_dir, dip azimuth),
 //   trend and plunge of the poles,
-//   strike (right-hand rule: the plane dips to the right of it) and dip.
-// Numbers are degrees with a decimal point; columns are separated by commas, semicolons or tabs. Other columns are
+//   strike (right-hand rule: the plane dips to the right of it) and dip,
+//   quantity, where it is given: the plane counts as that number of poles.
+// Angles are degrees with a decimal point; columns are separated by commas, semicolons or tabs. Other columns are
 // ignored.
 #pragma once
 

@@ -168,8 +168,12 @@ Table zone_table(const Kinematics& model) {
               " of the face's strike",
           "face dip exceeds 90° less the dip of the layers, plus friction: they can slip over one another and bend out "
           "of the slope"},
-         {"zone of wedge sliding (intersections)", "lines that come out in the face and plunge more than " + friction,
+         {"primary zone of wedge sliding (intersections)",
+          "lines that come out in the face and plunge more than " + friction,
           "a wedge between the two planes can slide; Hocking's test says on which of them"},
+         {"secondary zone of wedge sliding (intersections)",
+          "lines that plunge less than " + friction + ", but more than a plane that dips with the face by " + friction,
+          "a wedge can slide where Hocking's test lets it slide on one plane, and that one dips more than " + friction},
          {"axes of toppling columns (intersections)",
           "lines that plunge into the slope at less than 90° to the face, within " +
               degrees_shown(limit.direct_toppling) + " of it",
@@ -252,7 +256,8 @@ Table statistics_table(const KinematicsResult& result) {
     return table;
 }
 
-Table count_table(const PoleCounts& counts) {
+Table count_table(const PoleCounts& counts, double friction_angle) {
+    const std::string friction = degrees_shown(friction_angle);
     const auto row = [](const std::string& what, double count, double of) {
         return std::vector<std::string>{what, human_number(count, 7), human_number(of, 7),
                                         of > 0 ? share_shown(count / of) : "–"};
@@ -262,19 +267,27 @@ Table count_table(const PoleCounts& counts) {
             {row("poles of planes that can slide", counts.planar_sliding, counts.count),
              row("poles of layers that can topple (flexural)", counts.flexural_toppling, counts.count),
              row("poles of planes that can be a base of direct toppling", counts.toppling_base, counts.count),
-             row("lines along which wedges can slide", counts.wedge_sliding, counts.intersections),
+             row("lines of wedges that can slide, plunging more than " + friction + " (primary zone)",
+                 counts.wedge_sliding - counts.wedge_sliding_secondary, counts.intersections),
+             row("lines of wedges that can slide on one plane alone, plunging less (secondary zone)",
+                 counts.wedge_sliding_secondary, counts.intersections),
              row("lines that can be the axis of toppling columns", counts.toppling_axis, counts.intersections),
              row("poles that belong to no set", counts.without_set, counts.count)}};
 }
 
-Table number_of_sets_table(const std::vector<double>& criterion, std::size_t taken) {
-    Table table{"Evidence for the number of sets, each of three poles or more",
-                {"sets"_number, "Bayesian information criterion"_number}};
+Table number_of_sets_table(const KinematicsResult& result) {
+    const std::vector<double>& criterion = result.information_criterion;
+    const std::size_t taken = result.joint_set.size();
+    Table table{
+        "Evidence for the number of sets: the least criterion among those whose sets all have three poles or more",
+        {"sets"_number, "Bayesian information criterion"_number}};
     const double least = *std::ranges::min_element(criterion);
     for (std::size_t sets = 0; sets < criterion.size(); ++sets) {
         const double above = criterion[sets] - least;
-        table.rows.push_back({std::to_string(sets),
-                              (above > 0 ? "+" + human_number(above, 4) : "least") + (sets == taken ? ": taken" : "")});
+        const std::string because = sets == taken            ? ": taken"
+                                    : result.too_small[sets] ? ": a set would have fewer than three poles"
+                                                             : "";
+        table.rows.push_back({std::to_string(sets), (above > 0 ? "+" + human_number(above, 4) : "least") + because});
     }
     return table;
 }
@@ -292,6 +305,28 @@ std::string in_shell(const std::string& text) {
     return word + "'";
 }
 
+// Every measured pole with its set, and with the mean that is nearest to it.
+std::string poles_csv(const Kinematics& model, const KinematicsResult& result) {
+    CsvTable csv({"pole", "survey", "dip_deg", "dip_direction_deg", "set", "nearest_set", "angle_to_its_mean_deg"});
+    std::size_t pole = 0;
+    for (std::size_t survey = 0; survey < model.poles.size(); ++survey) {
+        for (const Orientation& plane : model.poles[survey].plane) {
+            std::string names;
+            for (const std::size_t set : result.sets_of_pole[pole]) {
+                names += (names.empty() ? "" : "; ") + result.joint_set[set].name;
+            }
+            const auto cosine = [&](const JointSetFeasibility& set) {
+                return std::abs(upward_normal(plane).dot(upward_normal(set.mean)));
+            };
+            const auto nearest = std::ranges::max_element(result.joint_set, {}, cosine);
+            csv.add_row({static_cast<double>(++pole), static_cast<double>(survey + 1), degrees_to_write(plane.dip),
+                         degrees_to_write(plane.dip_direction), names, nearest->name,
+                         std::round(std::acos(std::min(1.0, cosine(*nearest))) / degrees(0.01)) / 100});
+        }
+    }
+    return csv.text();
+}
+
 // The sets as sections that can be pasted into another case of model kinematics.
 std::string sets_to_paste(const KinematicsResult& result) {
     std::string text = "# Sets of a case of model kinematics.\n";
@@ -305,13 +340,13 @@ std::string sets_to_paste(const KinematicsResult& result) {
     return text;
 }
 
-void append_measured(const KinematicsResult& result, const StereonetDrawing& drawing, const ResultFolder& folder,
-                     Report& report) {
+void append_measured(const Kinematics& model, const KinematicsResult& result, const StereonetDrawing& drawing,
+                     const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(Heading{"Measured poles"});
-    report.blocks.emplace_back(count_table(*result.poles));
+    report.blocks.emplace_back(count_table(*result.poles, model.strength.friction_angle));
     report.blocks.emplace_back(statistics_table(result));
     if (!result.information_criterion.empty()) {
-        report.blocks.emplace_back(number_of_sets_table(result.information_criterion, result.joint_set.size()));
+        report.blocks.emplace_back(number_of_sets_table(result));
     }
     report.blocks.emplace_back(
         folder.draw(kamb_figure(drawing), "stereonet_kamb",
@@ -326,6 +361,7 @@ void append_measured(const KinematicsResult& result, const StereonetDrawing& dra
                                            "Strikes of the measured planes in classes of 10°; areas are proportional "
                                            "to their number, weighted where a scanline is given."));
     folder.write("sets_to_paste.toml", sets_to_paste(result));
+    folder.write("poles.csv", poles_csv(model, result));
 }
 
 }  // namespace
@@ -390,7 +426,7 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
                                                ground));
     report.blocks.emplace_back(zone_table(study.model));
     if (result.poles) {
-        append_measured(result, drawing, folder, report);
+        append_measured(study.model, result, drawing, folder, report);
     }
     report.blocks.emplace_back(Heading{"Joint sets"});
     report.blocks.emplace_back(set_table(result));

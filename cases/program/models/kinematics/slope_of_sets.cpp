@@ -33,7 +33,7 @@ std::string written_angle(double angle) {
 
 }  // namespace
 
-std::string jointed_slope_of(const KinematicsStudy& study, const KinematicsResult& result) {
+std::string jointed_slope_of(const KinematicsStudy& study, const std::string& title, const KinematicsResult& result) {
     constexpr double near_the_section = degrees(30);
     constexpr double height = 12;  // m, as in the starting case
     constexpr double bench = 14;
@@ -47,13 +47,18 @@ std::string jointed_slope_of(const KinematicsStudy& study, const KinematicsResul
         }
         cuts += "    { name = " + in_quotes(set.name) + ", joint = \"joints\", trace = { kind = \"set\", dip = \"" +
                 written_angle(set.apparent_dip) + "\", spacing = \"3 m\" } },  # scatters by " +
-                written_angle(set.angular_standard_deviation) + "\n";
+                written_angle(set.angular_standard_deviation) +
+                (set.measured ? "; its mean is known to " + written_angle(set.measured->confidence_cone) + " with 95 %"
+                              : "") +
+                "\n";
     }
     if (cuts.empty()) {
         throw std::invalid_argument("no joint set crosses the section across the face: all strike within 30 deg of it");
     }
     const double crest = height / std::tan(face.face_dip);
     std::string text = starting_case("jointed_slope");
+    replace_lines(text, "title = ", "\"",
+                  "title = " + in_quotes(title + (title.empty() ? "A" : ": a") + " slope cut by its joint sets"));
     replace_lines(text, "outline = [", "\n]",
                   "outline = [\n" + corner(0, 0) + corner(crest + bench, 0) + corner(crest + bench, height) +
                       corner(crest, height) + "]");
