@@ -110,34 +110,18 @@ class Cutter {
     SlopeCheck check_ = SlopeCheck::valid;
 };
 
-// Height of a point over the line from one point to another, normal to it.
-double height_over(const PlanePoint<>& from, const PlanePoint<>& to, const PlanePoint<>& point) {
-    const PlanePoint<> along = (to - from).normalized();
-    const PlanePoint<> reach = point - from;
-    return along.x() * reach.y() - along.y() * reach.x();
-}
-
-// The toe of an anticlockwise outline: the corner of the ground farthest below the line from its front end to its
-// crest, which is its corner farthest above the line between its ends; the front end if none lies below by more than
-// `near`.
+// The toe of an anticlockwise outline: the lowest corner of the ground from its front to its rear end; of several, to
+// within `near`, the last.
 PlanePoint<> toe_of(const Polygon<>& outline, double near) {
     const auto front = std::ranges::min_element(
         outline, {}, [](const PlanePoint<>& point) { return std::pair(point.x(), -point.y()); });
     const auto rear = std::ranges::max_element(
         outline, {}, [](const PlanePoint<>& point) { return std::pair(point.x(), point.y()); });
-    Polygon<> ground;  // from the front end into the slope
+    PlanePoint<> toe = *front;
     for (auto corner = front; corner != rear; corner = std::prev(corner == outline.begin() ? outline.end() : corner)) {
-        ground.push_back(*corner);
+        toe = corner->y() < toe.y() + near ? *corner : toe;
     }
-    ground.push_back(*rear);
-    const auto crest = std::ranges::max_element(
-        ground, {}, [&](const PlanePoint<>& corner) { return height_over(*front, *rear, corner); });
-    if (crest == ground.begin()) {
-        return *front;
-    }
-    return *std::min_element(ground.begin(), crest, [&](const PlanePoint<>& one, const PlanePoint<>& other) {
-        return height_over(*front, *crest, one) < height_over(*front, *crest, other) - near;
-    });
+    return toe;
 }
 
 // The origin of the section's coordinates, or the toe of an outline that does not reach there. Both are relative to its

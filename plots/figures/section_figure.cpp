@@ -85,8 +85,8 @@ void add_forces(const SectionDrawing& drawing, const Point& raise, double px_per
             // The text of a force that points into the slope stands in front of its tail.
             const Point& front = force.direction.x() > 0.7 ? tail : tip;
             std::vector<LabelPlace> sideways;
-            for (const double raise : {0.0, 0.6, -0.6, 1.3, -1.3, 2.0}) {
-                sideways.push_back({front, Label::Align::right, raise});
+            for (const double lines_up : {0.0, 0.6, -0.6, 1.3, -1.3, 2.0}) {
+                sideways.push_back({front, Label::Align::right, lines_up});
             }
             add_where_free(std::abs(force.direction.x()) > 0.7 ? sideways : upright, force.text,
                            Point::Constant(px_per_metre), figure);

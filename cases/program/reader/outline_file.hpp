@@ -2,8 +2,8 @@
 //
 // DXF: the LINE, LWPOLYLINE and POLYLINE entities of the drawing, joined at their ends, have to form one closed outline
 // of straight parts; texts, points and dimensions are ignored, and so is all that lies on other layers where one is
-// named. An outline of several lines is turned anticlockwise, for their directions say nothing. Lengths are in the drawing's unit ($INSUNITS), or metres if it has none. CSV: a line "x_m,y_m", then one
-// corner on each line.
+// named. An outline of several lines is turned anticlockwise, for their directions say nothing. Lengths are in the
+// drawing's unit ($INSUNITS), or metres if it has none. CSV: a line "x_m,y_m", then one corner on each line.
 #pragma once
 
 #include "jointed_slope/slope_geometry.hpp"

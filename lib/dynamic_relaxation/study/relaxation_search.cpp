@@ -176,7 +176,8 @@ class PathSearch {
             value.status = tried.status;
             value.stands = value.fails = value.last = at;
             count_costs(value);
-            if (value.status != CriticalStatus::fails_everywhere) {
+            // Blocks that fall far may crush each other: such a run has failed, but a stronger slope may come to rest.
+            if (value.status != CriticalStatus::fails_everywhere && value.status != CriticalStatus::run_failed) {
                 break;
             }
         }
