@@ -29,8 +29,9 @@ TEST(StereonetFigure, NamesWhatItShows) {
         EXPECT_TRUE(names(poles, text)) << text;
     }
     const Figure planes = plane_figure(samples::stereonet());
-    for (const std::string_view text : {"joint set c 47.5/110", "face 70/102.5", "lines plunging 20°", "wedges slide",
-                                        "toppling columns", "lines of intersection"}) {
+    for (const std::string_view text :
+         {"joint set c 47.5/110", "face 70/102.5", "lines plunging 20°", "wedges that slide", "secondary zone",
+          "toppling columns", "lines of intersection"}) {
         EXPECT_TRUE(names(planes, text)) << text;
     }
 }

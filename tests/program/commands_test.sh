@@ -40,7 +40,7 @@ expect "rows are counted" grep -qE 'FS 2: [0-9]+ rows?, ' "$scratch/out"
 expect "it gives that factor" awk -F'[:, ]+' '/"factor_of_safety"/ { exit !($3 >= 2) }' \
     <(sed -n '/"support_design"/,/}/p' support/result.json)
 expect_output 'With these bolts FS 2'
-expect_output 'instead of FS 1.54 without these bolts.'
+expect_output 'instead of FS 1.54 without these bolts'
 expect "rows, whole numbers, have no derivative" refuse grep -qF '[1].rows' support/sensitivities.csv
 expect "all that were tried" test "$(wc -l <support/support.csv)" -gt 10
 expect "the report says so as well" contains support/report.html 'Of 180 patterns the cheapest'

@@ -18,7 +18,7 @@ namespace delabole {
 
 namespace {
 
-// The parameters whose ranges end the interval at either side.
+// The parameters whose ranges end the interval at either side; a table has no room for several names.
 std::string ranges_in_words(const MechanismFit& fit, const ProfileLikelihood& profile) {
     std::vector<std::string> names;
     for (const FreeParameter& parameter : fit.parameters) {
@@ -29,7 +29,7 @@ std::string ranges_in_words(const MechanismFit& fit, const ProfileLikelihood& pr
             names.push_back(short_name(fit, parameter.name));
         }
     }
-    return (names.size() > 1 ? "the ranges of " : "the range of ") + list_in_words(names);
+    return names.size() > 1 ? "other ranges" : "the range of " + list_in_words(names);
 }
 
 std::string determination_in_words(const MechanismFit& fit, const ProfileLikelihood* profile) {

@@ -164,8 +164,8 @@ TEST(JointedSlopeCase, ComplaintsNameTheKey) {
                                     "x = \"9.4 m\", y = \"8 m\" }, { x = \"0 m\", y = \"8 m\""),
                     "mirror one that faces right"));
     EXPECT_TRUE(has(complaint_about("{ x = \"14 m\", y = \"0 m\" }, { x = \"14 m\", y = \"8 m\" }",
-                                    "{ x = \"14 km\", y = \"0 m\" }, { x = \"14 km\", y = \"8000 m\" }"),
-                    "the outline is 14 000 m wide: is its drawing in millimetres?"));
+                                    "{ x = \"400 km\", y = \"0 m\" }, { x = \"400 km\", y = \"80 km\" }"),
+                    "the outline is 400000 m wide: is its drawing in millimetres?"));
     EXPECT_TRUE(has(complaint_about("outline = [", "outline_file = \"none.dxf\"\noutline = ["), "scene.outline_file"));
 }
 

@@ -105,8 +105,8 @@ TEST(SteppedBaseReport, DrawsACableFromWhereItEntersTheColumn) {
     const SteppedBaseAnswer answer = analyse_case(study);
     const DrawnForce drawn = required_force(study.model.scene, answer.slope, study.required_cable[0], 1e6);
     EXPECT_NEAR(drawn.at.y(), drawn.at.x() * std::tan(degrees(62)), 1e-9);
-    // The height is measured normal to the base.
-    const Point head(-2 * std::sin(degrees(33)), 2 * std::cos(degrees(33)));
+    // The height is measured normal to the column's base, which is normal to the joints.
+    const Point head(-2 * std::sin(degrees(24)), 2 * std::cos(degrees(24)));
     EXPECT_NEAR(drawn.at.y(), head.y() - (drawn.at.x() - head.x()) * std::tan(degrees(15)), 1e-9);
 }
 
