@@ -71,7 +71,7 @@ MinimiseResult polish_best_of(const Search& search, Priors priors, const std::ve
 void add_minimum(std::vector<MinimumCluster>& minima, std::span<const double> point, double misfit,
                  std::span<const Interval> bounds);
 
-// By the ends of an interval that are evidence.
+// The determination of a parameter by the ends of its interval that are evidence.
 Determination determination_of(bool lower_closed, bool upper_closed);
 
 // One profile for each free parameter. `minima` are those known, of this or a similar misfit. `best` is the minimum of

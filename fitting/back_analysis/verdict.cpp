@@ -24,7 +24,7 @@ struct Sorted {
     Places involved;
     Places missed;  // would be determined, but the data that depend on them are missed
 
-    // Of those involved.
+    // The number of combinations of the involved ones that the data determine.
     int combinations(int rank) const { return rank - static_cast<int>(determined.size() + missed.size()); }
 };
 

@@ -25,8 +25,8 @@ struct DrawnAcrossBlocks {
 // A label stands inside its block, away from other drawn items, and is no larger than the block allows. A block that is
 // too small for a label has none, unless most blocks are too small. A long thin fixed block, such as a base, has its
 // label beside it, below if possible. If labels would overlap, only the first and every second, fifth, tenth, ...
-// remain, and those of fixed blocks, the largest ones first;
-// those that take most of their block are then left out, if few do.
+// remain, and those of fixed blocks, the largest ones first; those that take most of their block are then left out, if
+// few do.
 std::vector<Label> block_labels(const std::vector<DrawnBlock>& blocks, const DrawnAcrossBlocks& across,
                                 double metres_per_px);
 

@@ -10,7 +10,7 @@ namespace delabole {
 
 namespace {
 
-// Where the cables are whose tension is solved for: no inputs of the model itself.
+// Adds the places of the cables whose tension is solved for, which are no inputs of the model itself.
 void add_cables(std::vector<RequiredCable<>> cables, std::vector<Quantity>& inputs) {
     for (std::size_t index = 0; index < cables.size(); ++index) {
         for_each_named_number(cables[index], [&](const std::string& key, const FieldInfo& info, double value) {

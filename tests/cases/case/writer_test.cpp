@@ -169,7 +169,7 @@ TEST(Template, IsACaseOfEachModel) {
     EXPECT_THROW(commented_template("wedge_row"), std::invalid_argument);
 }
 
-// What is asked for by name is what the template does, and not a comment in another scene.
+// A jointed slope that is asked for by name is active in its template, and not a comment in another scene.
 TEST(Template, OfAJointedSlopeIsOne) {
     const CaseFile file = parse_case(commented_template("jointed_slope"), "template");
     const auto& slope = std::get<RelaxationSlope>(std::get<RelaxationStudy>(file.model).model.scene);

@@ -64,7 +64,7 @@ std::string unknown_rock_key(const RelaxationSlope& slope, const std::string& tr
     return trace + ".rock";
 }
 
-// What to ask of an outline that is larger than any slope: a drawing without a unit may be in millimetres.
+// Asks about an outline that is larger than any slope: a drawing without a unit may be in millimetres.
 std::string size_in_doubt(const RelaxationSlope& slope) {
     constexpr double largest = 5000;  // m
     const auto [left, right] = std::ranges::minmax(slope.geometry.outline, {}, &SectionPoint::x);
