@@ -30,9 +30,6 @@ bool in_doubt(const Identifiability& identifiability, const std::string& paramet
 // The parameters of which the data determine only combinations near the best point; empty if not even those.
 std::vector<std::string> exchangeable(const Identifiability& identifiability);
 
-// The parameters of which the data determine only combinations near the best point; none if not even those.
-std::vector<std::string> exchangeable(const Identifiability& identifiability);
-
 // A Jacobian describes only the neighbourhood of the best point. This returns a sentence (with a space before it) if
 // the Jacobian has full rank and yet the data alone close no interval for some parameter, or if it shows no effect of a
 // parameter that the data alone limit; otherwise it is empty.

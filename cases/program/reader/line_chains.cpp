@@ -1,6 +1,7 @@
 #include "cases/program/reader/line_chains.hpp"
 
 #include "cases/program/reader/units.hpp"
+#include "geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -129,14 +130,11 @@ std::vector<LineChain> joined(std::vector<LineChain> chains) {
 }
 
 void turn_anticlockwise(std::vector<SectionPoint>& outline) {
-    double twice_area = 0;
-    for (std::size_t index = 0; index < outline.size(); ++index) {
-        const SectionPoint& first = outline.front();
-        const SectionPoint& from = outline[index];
-        const SectionPoint& to = outline[(index + 1) % outline.size()];
-        twice_area += (from.x - first.x) * (to.y - first.y) - (to.x - first.x) * (from.y - first.y);
+    Polygon<> polygon;
+    for (const SectionPoint& point : outline) {
+        polygon.emplace_back(point.x, point.y);
     }
-    if (twice_area < 0) {
+    if (area_properties(polygon).area < 0) {
         std::reverse(outline.begin() + 1, outline.end());
     }
 }

@@ -49,6 +49,12 @@ std::vector<LoadingPath> paths_of(const RelaxationStudy& study, LoadingPath firs
     return paths;
 }
 
+// Whether a run that ended shows that the blocks do not stand.
+bool shows_failure(RelaxationOutcome outcome) {
+    return outcome == RelaxationOutcome::onset || outcome == RelaxationOutcome::collapse ||
+           outcome == RelaxationOutcome::held_by_corners;
+}
+
 class PathSearch {
   public:
     PathSearch(const RelaxationStudy& study, const CriticalPlan& plan, LoadingPath path, const StudyWork& work,
@@ -214,8 +220,7 @@ class PathSearch {
         const bool balanced =
             result.start_balance && result.start_balance->unbalanced_ratio <= settings_.equilibrium_ratio;
         progress_.probe.push_back({simulation.outcome(), cost.steps, cost.contacts_evaluated, !balanced});
-        if (simulation.outcome() == RelaxationOutcome::onset || simulation.outcome() == RelaxationOutcome::collapse ||
-            simulation.outcome() == RelaxationOutcome::held_by_corners) {
+        if (shows_failure(simulation.outcome())) {
             progress_.failed = simulation.state();
         } else if (simulation.outcome() == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
                    begin == Begin::at_start) {
@@ -411,9 +416,7 @@ std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const Crit
     const double value = milder * found.stands;
     const RelaxationOutcome outcome = search.run_at(value, std::max(found.steps, fewest_steps)).outcome;
     const bool stands = outcome == RelaxationOutcome::equilibrium;
-    const bool fails = outcome == RelaxationOutcome::onset || outcome == RelaxationOutcome::collapse ||
-                       outcome == RelaxationOutcome::held_by_corners;
-    return stands || fails ? std::optional(OtherPath{value, stands}) : std::nullopt;
+    return stands || shows_failure(outcome) ? std::optional(OtherPath{value, stands}) : std::nullopt;
 }
 
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work) {

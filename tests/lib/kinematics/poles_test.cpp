@@ -125,13 +125,18 @@ TEST(Poles, SetsAreFoundAmongPolesThatBelongToNone) {
     EXPECT_EQ(std::ranges::min_element(clusters.information_criterion) - clusters.information_criterion.begin(), 3);
 }
 
-// The criterion alone would take each for a set: with the greatest K, 1e4, log(K / N) is more than a set costs.
-TEST(Poles, ALonePoleIsNoSet) {
+std::vector<Orientation> two_sets_and_two_lone_poles() {
     std::vector<Orientation> planes;
     append(planes, 42, 210, 60, 14, 1);
     append(planes, 78, 30, 50, 14, 2);
     planes.push_back({degrees(34), degrees(318)});
     planes.push_back({degrees(50), degrees(120)});
+    return planes;
+}
+
+// The criterion alone would take each for a set: with the greatest K, 1e4, log(K / N) is more than a set costs.
+TEST(Poles, ALonePoleIsNoSet) {
+    const std::vector<Orientation> planes = two_sets_and_two_lone_poles();
     const PoleClusters clusters = find_clusters(planes, alike(planes.size()), 6);
     EXPECT_EQ(clusters.sets.size(), 2U);
     EXPECT_FALSE(clusters.of[28]);
@@ -192,11 +197,7 @@ TEST(Poles, FewMembersAreTakenForStrays) {
 }
 
 TEST(Poles, SaysWhichNumbersGiveSetsThatAreTooSmall) {
-    std::vector<Orientation> planes;
-    append(planes, 42, 210, 60, 14, 1);
-    append(planes, 78, 30, 50, 14, 2);
-    planes.push_back({degrees(34), degrees(318)});
-    planes.push_back({degrees(50), degrees(120)});
+    const std::vector<Orientation> planes = two_sets_and_two_lone_poles();
     const PoleClusters clusters = find_clusters(planes, alike(planes.size()), 4);
     EXPECT_EQ(clusters.too_small, (std::vector<bool>{false, false, false, true, true}));
     EXPECT_LT(clusters.information_criterion[3], clusters.information_criterion[2]);

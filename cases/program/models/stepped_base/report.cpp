@@ -55,15 +55,14 @@ SteppedBase<> with_cable(SteppedBase<> problem, const RequiredCable<>& cable, do
 }
 
 SteppedBase<> with_value(SteppedBase<> problem, const RequiredValue<>& request, double required) {
-    for_each_named_number(problem, [&](const std::string& path, const FieldInfo&, double& value) {
-        if (path == request.parameter || std::ranges::find(request.also, path) != request.also.end()) {
-            value = required;
-        }
-    });
+    *find_input(problem, request.parameter) = required;
+    for (const std::string& other : request.also) {
+        *find_input(problem, other) = required;
+    }
     return problem;
 }
 
-// What the recursion does not see once the slope has the factor of safety that was required of it.
+// Says what the recursion does not see once the slope has the factor of safety that was required of it.
 std::string doubts_about(const SteppedBase<>& problem, double factor) {
     const ColumnSlope<> slope = make_columns(problem.scene);
     return slope.check == ColumnCheck::valid

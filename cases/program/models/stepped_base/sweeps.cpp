@@ -37,14 +37,6 @@ std::optional<double> limiting_friction_of(const SteppedBase<>& problem) {
     return limit.state == LimitState::found ? std::optional(limit.value) : std::nullopt;
 }
 
-double* find_input(SteppedBase<>& problem, const std::string& name) {
-    double* found = nullptr;
-    for_each_named_number(problem, [&](const std::string& path, const FieldInfo&, double& value) {
-        found = path == name ? &value : found;
-    });
-    return found;
-}
-
 template <class To>
 SteppedBase<> with_layout(SteppedBase<> problem) {
     std::visit(
@@ -244,6 +236,14 @@ std::optional<GeometrySweep> friction_sweep(const SteppedBase<>& problem, const 
 }
 
 }  // namespace
+
+double* find_input(SteppedBase<>& problem, const std::string& name) {
+    double* found = nullptr;
+    for_each_named_number(problem, [&](const std::string& path, const FieldInfo&, double& value) {
+        found = path == name ? &value : found;
+    });
+    return found;
+}
 
 bool can_sweep(const SteppedBase<>& problem, const ColumnSlope<>& slope) {
     double inputs = 0;

@@ -10,6 +10,9 @@
 
 namespace delabole {
 
+// The number of that name among the inputs; null if there is none.
+double* find_input(SteppedBase<>& problem, const std::string& name);
+
 struct GeometrySweep {
     std::string file;  // name of the figure
     std::string caption;
