@@ -58,10 +58,10 @@ class Differences {
     }
 
     Eigen::VectorXd difference(const Residuals& right, const Residuals& left, double distance) const {
-        Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(at_best_.pulls.size()));
-        for (std::size_t row = 0; row < at_best_.pulls.size(); ++row) {
+        Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(at_best_.values.size()));
+        for (std::size_t row = 0; row < at_best_.values.size(); ++row) {
             if (!at_best_.idle[row]) {
-                result[static_cast<Eigen::Index>(row)] = (right.pulls[row] - left.pulls[row]) / distance;
+                result[static_cast<Eigen::Index>(row)] = (right.values[row] - left.values[row]) / distance;
             }
         }
         return result;
@@ -75,7 +75,7 @@ class Differences {
 
 Eigen::MatrixXd scaled_jacobian(Differences& differences, const std::vector<std::size_t>& free,
                                 IdentifiabilityStatus& status) {
-    const auto rows = static_cast<Eigen::Index>(differences.at_best().pulls.size());
+    const auto rows = static_cast<Eigen::Index>(differences.at_best().values.size());
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(free.size()));
     status = IdentifiabilityStatus::reliable;
     for (std::size_t index = 0; index < free.size() && rows > 0; ++index) {
@@ -137,8 +137,8 @@ std::vector<double> misses_of(const Eigen::MatrixXd& jacobian, const Residuals& 
     for (Eigen::Index column = 0; column < jacobian.cols(); ++column) {
         double& miss = misses[static_cast<std::size_t>(column)];
         for (Eigen::Index row = 0; row < jacobian.rows(); ++row) {
-            const double pull = std::abs(at_best.pulls[static_cast<std::size_t>(row)]);
-            miss = std::abs(jacobian(row, column)) > rank_threshold ? std::max(miss, pull) : miss;
+            const double residual = std::abs(at_best.values[static_cast<std::size_t>(row)]);
+            miss = std::abs(jacobian(row, column)) > rank_threshold ? std::max(miss, residual) : miss;
         }
     }
     return misses;

@@ -9,8 +9,8 @@ namespace delabole {
 
 namespace {
 
-constexpr double large_pull = 2;
-constexpr double score_of_silence = large_pull * large_pull;
+constexpr double large_residual = 2;
+constexpr double score_of_silence = large_residual * large_residual;
 
 // The sign of the evidence that the prediction contradicts, with its value; empty if the prediction shows the sign.
 std::string contradiction(const EvidenceSign& sign, const Misfit& misfit, const Prediction& prediction) {
@@ -50,19 +50,19 @@ std::string miss_in_words(const ObservationFit& row) {
                            : row.relation == Relation::at_least ? "at least "
                                                                 : "at most ";
     return row.label + ": predicted " + value_in_words(*row.predicted, row.dimension) + ", observed " + relation +
-           value_in_words(row.observed, row.dimension) + ", " + number_in_words(std::abs(row.pull)) +
+           value_in_words(row.observed, row.dimension) + ", " + number_in_words(std::abs(row.residual)) +
            " standard deviations away";
 }
 
 void add_misses(MechanismFit& fit) {
     for (const ObservationFit& row : fit.observations) {
-        if (row.predicted && std::abs(row.pull) > large_pull) {
+        if (row.predicted && std::abs(row.residual) > large_residual) {
             fit.unexplained.push_back(miss_in_words(row));
         }
     }
-    if (fit.profile_fit && fit.profile_fit->pull() > large_pull) {
+    if (fit.profile_fit && fit.profile_fit->residual() > large_residual) {
         fit.unexplained.push_back("post-failure profile: " + value_in_words(fit.profile_fit->rms, Dimension::length) +
-                                  " root mean square distance, " + number_in_words(fit.profile_fit->pull()) +
+                                  " root mean square distance, " + number_in_words(fit.profile_fit->residual()) +
                                   " standard deviations of " +
                                   value_in_words(fit.profile_fit->standard_deviation, Dimension::length));
     }
@@ -75,11 +75,11 @@ void add_prior_conflicts(MechanismFit& fit) {
         if (!parameter.prior) {
             continue;
         }
-        const double pull = (fit.best[index] - parameter.prior->mean) / parameter.prior->standard_deviation;
-        if (std::abs(pull) > large_pull) {
+        const double residual = (fit.best[index] - parameter.prior->mean) / parameter.prior->standard_deviation;
+        if (std::abs(residual) > large_residual) {
             fit.unexplained.push_back(parameter.name + ": needs " +
                                       value_in_words(fit.best[index], fit.dimensions[index]) + ", " +
-                                      number_in_words(std::abs(pull)) + " standard deviations from its prior of " +
+                                      number_in_words(std::abs(residual)) + " standard deviations from its prior of " +
                                       value_in_words(parameter.prior->mean, fit.dimensions[index]));
         }
     }

@@ -146,13 +146,13 @@ class Refinement {
 // A run in the form in which ranks exchange it.
 struct RunMessage {
     bool made = false;
-    std::vector<double> pulls = {};
+    std::vector<double> values = {};
     std::vector<int> idle = {};
     std::vector<double> scatter = {};
     std::string failure = {};
 };
 
-DELABOLE_MEMBERS(RunMessage, made, pulls, idle, scatter, failure)
+DELABOLE_MEMBERS(RunMessage, made, values, idle, scatter, failure)
 
 // Runs the model at all points; runs that were stopped are left out.
 std::vector<KnownRun> runs_at(const Points& points, const Misfit& misfit, const Workers& workers,
@@ -163,7 +163,7 @@ std::vector<KnownRun> runs_at(const Points& points, const Misfit& misfit, const 
         if (!stop_requested(stop)) {
             const Residuals& found = own[index] = misfit.residuals(points[index]);
             run = {
-                true, found.pulls, {found.idle.begin(), found.idle.end()}, found.scatter, std::string(found.failure)};
+                true, found.values, {found.idle.begin(), found.idle.end()}, found.scatter, std::string(found.failure)};
             progress.count(1, weight_of_run);
         }
         return run;
@@ -180,7 +180,7 @@ std::vector<KnownRun> runs_at(const Points& points, const Misfit& misfit, const 
             failure = workers.ranks->word(run.failure);
         }
         evaluations.record({0, failure});
-        runs.push_back({points[index], {run.pulls, {run.idle.begin(), run.idle.end()}, run.scatter, failure}});
+        runs.push_back({points[index], {run.values, {run.idle.begin(), run.idle.end()}, run.scatter, failure}});
     }
     return runs;
 }
@@ -230,8 +230,8 @@ double distance(const Misfit& misfit, std::span<const double> left, std::span<co
 // Difference of residuals in standard deviations of the data; satisfied inequalities count as equal.
 double difference(const Residuals& left, const Residuals& right) {
     double squares = 0;
-    for (std::size_t index = 0; index < left.pulls.size(); ++index) {
-        const double step = (left.idle[index] ? 0 : left.pulls[index]) - (right.idle[index] ? 0 : right.pulls[index]);
+    for (std::size_t index = 0; index < left.values.size(); ++index) {
+        const double step = (left.idle[index] ? 0 : left.values[index]) - (right.idle[index] ? 0 : right.values[index]);
         squares += step * step;
     }
     return std::sqrt(squares);
@@ -303,12 +303,12 @@ std::vector<KnownRun> judged_by(const Misfit& other, const Misfit& as_judged, st
     const std::vector<Datum> now = other.data();
     const std::vector<Datum> then = as_judged.data();
     for (KnownRun& run : runs) {
-        for (std::size_t index = 0; index < run.residuals.pulls.size(); ++index) {
+        for (std::size_t index = 0; index < run.residuals.values.size(); ++index) {
             const double scatter = run.residuals.scatter[index];
-            double& pull = run.residuals.pulls[index];
-            pull = now[index].cost ? cost_of_scatter(scatter, now[index].standard_deviation, now[index].share)
-                                   : pull * std::hypot(then[index].standard_deviation, scatter) /
-                                         std::hypot(now[index].standard_deviation, scatter);
+            double& residual = run.residuals.values[index];
+            residual = now[index].cost ? cost_of_scatter(scatter, now[index].standard_deviation, now[index].share)
+                                       : residual * std::hypot(then[index].standard_deviation, scatter) /
+                                             std::hypot(now[index].standard_deviation, scatter);
         }
     }
     return runs;

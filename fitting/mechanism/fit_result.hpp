@@ -121,7 +121,7 @@ struct ObservationFit {
     double standard_deviation = 0;    // including the scatter
     double scatter = 0;               // standard deviation of cases that differ by chance alone, about the prediction
     std::optional<double> predicted;  // absent if the mechanism does not predict the quantity
-    double pull = 0;                  // (predicted - observed) / standard deviation; 0 for a satisfied inequality
+    double residual = 0;              // (predicted - observed) / standard deviation; 0 for a satisfied inequality
     std::string source;
 };
 
@@ -130,7 +130,7 @@ struct ProfileFit {
     double rms = 0;                 // root mean square distance
     double scatter = 0;             // as in ObservationFit
     double standard_deviation = 0;  // including the scatter
-    double pull() const { return rms / standard_deviation; }
+    double residual() const { return rms / standard_deviation; }
 };
 
 // Two neighbouring runs with very different outcomes.
@@ -182,7 +182,7 @@ struct MechanismFit {
     double scatter_cost = 0;
     std::vector<std::string> explained;  // names of field evidence
     std::vector<std::string>
-        unexplained;  // sentences: field evidence, quantities without prediction, pulls of data and priors beyond 2
+        unexplained;  // sentences: field evidence, quantities without prediction, residuals of data and priors beyond 2
     Identifiability identifiability;
     std::vector<ProfileLikelihood> profiles;  // with priors, then without
     std::vector<FailureLocus> loci;         // one for each pair of free parameters that the factor of safety depends on

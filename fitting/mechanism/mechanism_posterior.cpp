@@ -165,7 +165,7 @@ std::vector<Polyline> profiles_of(const Misfit& misfit, const std::vector<Draw>&
 // Least distance of each datum, in standard deviations, over draws of the prior; infinite if none has an answer. For a
 // costly mechanism its runs replace the draws.
 struct Reach {
-    std::vector<double> pulls;
+    std::vector<double> residuals;
     std::vector<std::string> labels;
 };
 
@@ -176,7 +176,7 @@ Reach reach_of_priors(const Target& target, std::uint64_t seed) {
         reach.labels.push_back(observation.label);
     }
     reach.labels.emplace_back("post-failure profile");
-    reach.pulls.assign(reach.labels.size(), std::numeric_limits<double>::infinity());
+    reach.residuals.assign(reach.labels.size(), std::numeric_limits<double>::infinity());
     if (target.prior().size() == 0) {
         return reach;
     }
@@ -190,11 +190,11 @@ Reach reach_of_priors(const Target& target, std::uint64_t seed) {
         const std::vector<ObservationFit> rows = target.misfit().compare(parameters);
         for (std::size_t row = 0; row < rows.size(); ++row) {
             if (rows[row].predicted) {
-                reach.pulls[row] = std::min(reach.pulls[row], std::abs(rows[row].pull));
+                reach.residuals[row] = std::min(reach.residuals[row], std::abs(rows[row].residual));
             }
         }
         if (const auto profile = target.misfit().compare_profile(parameters)) {
-            reach.pulls.back() = std::min(reach.pulls.back(), profile->pull());
+            reach.residuals.back() = std::min(reach.residuals.back(), profile->residual());
         }
     }
     target.evaluator().progress.count(static_cast<long>(draws));
@@ -215,18 +215,18 @@ Reach reach_of_runs(const Misfit& misfit, const std::vector<KnownRun>& runs) {
         }
         data[place.back()] += datum.share;
     }
-    reach.pulls.assign(reach.labels.size(), std::numeric_limits<double>::infinity());
+    reach.residuals.assign(reach.labels.size(), std::numeric_limits<double>::infinity());
     for (const KnownRun& run : runs) {
-        if (run.residuals.pulls.empty()) {
+        if (run.residuals.values.empty()) {
             continue;
         }
         std::vector<double> squares(reach.labels.size(), 0.0);
-        for (std::size_t row = 0; row < run.residuals.pulls.size(); ++row) {
-            const double pull = run.residuals.idle[row] ? 0 : run.residuals.pulls[row];
-            squares[place[row]] += pull * pull;
+        for (std::size_t row = 0; row < run.residuals.values.size(); ++row) {
+            const double residual = run.residuals.idle[row] ? 0 : run.residuals.values[row];
+            squares[place[row]] += residual * residual;
         }
         for (std::size_t label = 0; label < squares.size(); ++label) {
-            reach.pulls[label] = std::min(reach.pulls[label], std::sqrt(squares[label] / data[label]));
+            reach.residuals[label] = std::min(reach.residuals[label], std::sqrt(squares[label] / data[label]));
         }
     }
     return reach;
@@ -234,11 +234,11 @@ Reach reach_of_runs(const Misfit& misfit, const std::vector<KnownRun>& runs) {
 
 void warn_of_reach(const Reach& reach, const std::string& tried, std::vector<std::string>& warnings) {
     constexpr double far = 5;
-    for (std::size_t row = 0; row < reach.pulls.size(); ++row) {
-        if (std::isfinite(reach.pulls[row]) && reach.pulls[row] > far) {
+    for (std::size_t row = 0; row < reach.residuals.size(); ++row) {
+        if (std::isfinite(reach.residuals[row]) && reach.residuals[row] > far) {
             warnings.push_back("The priors exclude what was observed: of " + tried + " none comes nearer than " +
-                               number_in_words(reach.pulls[row]) + " standard deviations to \"" + reach.labels[row] +
-                               "\". Priors, standard deviation or mechanism is wrong.");
+                               number_in_words(reach.residuals[row]) + " standard deviations to \"" +
+                               reach.labels[row] + "\". Priors, standard deviation or mechanism is wrong.");
         }
     }
 }

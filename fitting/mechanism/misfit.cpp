@@ -10,8 +10,8 @@ namespace delabole {
 
 namespace {
 
-bool satisfied(Relation relation, double pull) {
-    return (relation == Relation::at_least && pull >= 0) || (relation == Relation::at_most && pull <= 0);
+bool satisfied(Relation relation, double residual) {
+    return (relation == Relation::at_least && residual >= 0) || (relation == Relation::at_most && residual <= 0);
 }
 
 bool same(const std::vector<Condition>& left, const std::vector<Condition>& right) {
@@ -28,8 +28,8 @@ double cost_of_scatter(double scatter, double standard_deviation, double share) 
 
 double data_misfit(const Residuals& residuals) {
     double sum = 0;
-    for (std::size_t index = 0; index < residuals.pulls.size(); ++index) {
-        sum += residuals.idle[index] ? 0 : residuals.pulls[index] * residuals.pulls[index];
+    for (std::size_t index = 0; index < residuals.values.size(); ++index) {
+        sum += residuals.idle[index] ? 0 : residuals.values[index] * residuals.values[index];
     }
     return sum;
 }
@@ -161,11 +161,11 @@ std::string_view Misfit::visit_quantities(const ConditionSet& set, const Predict
         const QuantityObservation& observation = observations_[bound.observation];
         const double scatter = scatter_of(bound.scatter, prediction);
         const double deviation = std::hypot(observation.standard_deviation, scatter);
-        const double pull = (prediction.outputs[bound.output] - observation.value) / deviation;
-        if (!std::isfinite(pull) || !std::isfinite(scatter)) {
+        const double residual = (prediction.outputs[bound.output] - observation.value) / deviation;
+        if (!std::isfinite(residual) || !std::isfinite(scatter)) {
             return bound.not_a_number;
         }
-        visit(pull, satisfied(observation.relation, pull), scatter);
+        visit(residual, satisfied(observation.relation, residual), scatter);
         if (bound.scatter && observation.relation == Relation::equal) {
             visit(cost_of_scatter(scatter, observation.standard_deviation, 1), false, scatter);
         }
@@ -186,11 +186,11 @@ std::string_view Misfit::visit_profile(const Prediction& prediction, const Visit
                           std::hypot(observed.standard_deviation, scatter);
     for (const Point& point : profile_samples_) {
         // Positive if the prediction lies to the left of (above) the observed ground.
-        const double pull = -weight * signed_distance(prediction.profile, point);
-        if (!std::isfinite(pull)) {
+        const double residual = -weight * signed_distance(prediction.profile, point);
+        if (!std::isfinite(residual)) {
             return "profile_missing";
         }
-        visit(pull, false, scatter);
+        visit(residual, false, scatter);
     }
     if (profile_scatter_) {
         visit(cost_of_scatter(scatter, observed.standard_deviation, vertices), false, scatter);
@@ -226,7 +226,7 @@ std::string_view Misfit::visit_residuals(std::span<const double> parameters, con
 
 Evaluation Misfit::value_of_data(std::span<const double> parameters, double most) const {
     double sum = 0;
-    const auto add = [&sum](double pull, bool idle, double) { sum += idle ? 0 : pull * pull; };
+    const auto add = [&sum](double residual, bool idle, double) { sum += idle ? 0 : residual * residual; };
     const std::string_view failure = visit_residuals(parameters, add, [&] { return sum > most; });
     return {sum, failure};
 }
@@ -240,8 +240,8 @@ double Misfit::prior(std::span<const double> parameters) const {
     double sum = 0;
     for (std::size_t index = 0; index < parameters.size(); ++index) {
         if (const auto& prior = mechanism_.parameters[index].prior) {
-            const double pull = (parameters[index] - prior->mean) / prior->standard_deviation;
-            sum += pull * pull;
+            const double residual = (parameters[index] - prior->mean) / prior->standard_deviation;
+            sum += residual * residual;
         }
     }
     return sum;
@@ -256,8 +256,8 @@ Residuals Misfit::residuals(std::span<const double> parameters) const {
     Residuals result;
     result.failure = visit_residuals(
         parameters,
-        [&result](double pull, bool idle, double scatter) {
-            result.pulls.push_back(pull);
+        [&result](double residual, bool idle, double scatter) {
+            result.values.push_back(residual);
             result.idle.push_back(idle);
             result.scatter.push_back(scatter);
         },
@@ -308,8 +308,8 @@ std::vector<ObservationFit> Misfit::compare(std::span<const double> parameters) 
             row.predicted = prediction.outputs[bound_[index].output];
             row.scatter = scatter_of(bound_[index].scatter, prediction);
             row.standard_deviation = std::hypot(row.standard_deviation, row.scatter);
-            row.pull = (*row.predicted - row.observed) / row.standard_deviation;
-            row.pull = satisfied(row.relation, row.pull) ? 0 : row.pull;
+            row.residual = (*row.predicted - row.observed) / row.standard_deviation;
+            row.residual = satisfied(row.relation, row.residual) ? 0 : row.residual;
         }
     }
     return table;
@@ -332,15 +332,15 @@ std::optional<ProfileFit> Misfit::compare_profile(std::span<const double> parame
     }
     fit.rms = std::sqrt(squares / static_cast<double>(profile_samples_.size()));
     fit.standard_deviation = std::hypot(problem_.profile->standard_deviation, fit.scatter);
-    return std::isfinite(fit.pull()) ? std::optional(fit) : std::nullopt;
+    return std::isfinite(fit.residual()) ? std::optional(fit) : std::nullopt;
 }
 
 double Misfit::scatter_cost(std::span<const double> parameters) const {
     const Residuals found = residuals(parameters);
     const std::vector<Datum> of = data();
     double squares = 0;
-    for (std::size_t index = 0; index < found.pulls.size(); ++index) {
-        squares += of[index].cost ? found.pulls[index] * found.pulls[index] : 0;
+    for (std::size_t index = 0; index < found.values.size(); ++index) {
+        squares += of[index].cost ? found.values[index] * found.values[index] : 0;
     }
     return squares / 2;
 }

@@ -31,7 +31,7 @@ struct MisfitParts {
 // to the profile's part of the misfit. An equality with the mean of an ensemble is followed by a second residual, the
 // cost of the ensemble's scatter.
 struct Residuals {
-    std::vector<double> pulls;
+    std::vector<double> values;
     std::vector<bool> idle;       // true for a satisfied inequality, which adds nothing to the misfit
     std::vector<double> scatter;  // standard deviation due to chance, added to that of the datum
     std::string_view failure;

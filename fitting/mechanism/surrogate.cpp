@@ -83,7 +83,7 @@ Surrogate::Surrogate(const Misfit& misfit, std::span<const KnownRun> runs, const
         const std::vector<double> unit = unit_point(run.parameters);
         std::copy(unit.begin(), unit.end(), points.row(row).begin());
         for (std::size_t index = 0; index < equality_.size(); ++index) {
-            equal(row, static_cast<Eigen::Index>(index)) = run.residuals.pulls[equality_[index]];
+            equal(row, static_cast<Eigen::Index>(index)) = run.residuals.values[equality_[index]];
         }
     }
     basis_ = before != nullptr ? before->basis_ : principal_directions(equal);
@@ -94,11 +94,11 @@ Surrogate::Surrogate(const Misfit& misfit, std::span<const KnownRun> runs, const
     }
     for (const std::size_t index : inequality_) {
         const double sign = data[index].relation == Relation::at_least ? 1 : -1;
-        Eigen::VectorXd pulls(count);
+        Eigen::VectorXd values(count);
         for (Eigen::Index row = 0; row < count; ++row) {
-            pulls[row] = sign * valid[static_cast<std::size_t>(row)]->residuals.pulls[index];
+            values[row] = sign * valid[static_cast<std::size_t>(row)]->residuals.values[index];
         }
-        values_.push_back(std::move(pulls));
+        values_.push_back(std::move(values));
     }
     for (std::size_t index = 0; index < values_.size(); ++index) {
         if (before != nullptr) {
@@ -158,7 +158,7 @@ Residuals Surrogate::residuals(std::span<const double> parameters) const {
     const std::size_t equalities = static_cast<std::size_t>(basis_.cols());
     for (std::size_t index = 0; index < process_.size(); ++index) {
         const auto [mean, variance] = process_[index].predict(unit);
-        result.pulls.push_back(mean / std::sqrt(1 + variance + process_[index].scatter_variance()));
+        result.values.push_back(mean / std::sqrt(1 + variance + process_[index].scatter_variance()));
         result.idle.push_back(index >= equalities && mean >= 0);
     }
     return result;

@@ -1,7 +1,7 @@
 // A surrogate replaces a mechanism whose every prediction is a run of minutes. It describes the residuals as smooth
 // functions of the parameters, known from a number of runs, with their uncertainty.
 //
-// The residuals (pulls) of the equalities are transformed into their principal components, which leaves their sum of
+// The residuals of the equalities are transformed into their principal components, which leaves their sum of
 // squares unchanged; components that hold less than a thousandth of the scatter are replaced by the mean of their sum
 // of squares. Each component, and each inequality by itself, is a Gaussian process (gaussian_process.hpp) whose scatter
 // is the part of a run's outcome that does not depend on the parameters, because a pile of blocks is chaotic.

@@ -146,8 +146,8 @@ std::vector<double> weights_given(const Answered& draws, const Outcome& outcome,
     std::vector<double> weights(draws.size());
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t draw = 0; draw < draws.size(); ++draw) {
-        const double pull = (outcome.value - draws.predicted[draw]) / deviation;
-        weights[draw] = pull * pull;
+        const double residual = (outcome.value - draws.predicted[draw]) / deviation;
+        weights[draw] = residual * residual;
         least = draw == outcome.draw ? least : std::min(least, weights[draw]);
     }
     for (double& weight : weights) {
@@ -254,8 +254,8 @@ struct Predictor {
 double log_density(const Answered& draws, double outcome, double deviation, std::size_t left_out) {
     double least = std::numeric_limits<double>::infinity();
     const auto square = [&](std::size_t draw) {
-        const double pull = (outcome - draws.predicted[draw]) / deviation;
-        return pull * pull;
+        const double residual = (outcome - draws.predicted[draw]) / deviation;
+        return residual * residual;
     };
     for (std::size_t draw = 0; draw < draws.size(); ++draw) {
         least = draw == left_out ? least : std::min(least, square(draw));

@@ -89,7 +89,7 @@ class Repetition {
     double probability_of_inequalities() const {
         double squares = 0;
         for (const ObservationFit& row : predicted_) {
-            squares += row.relation == Relation::equal ? 0 : row.pull * row.pull;
+            squares += row.relation == Relation::equal ? 0 : row.residual * row.residual;
         }
         return std::exp(-0.5 * squares);
     }
@@ -145,19 +145,19 @@ ParameterRecovery summarise(const std::vector<const Recovered*>& counted, std::s
     const auto count = static_cast<int>(counted.size());
     int inside_68 = 0;
     int inside_95 = 0;
-    std::vector<double> pulls;
+    std::vector<double> errors;
     summary.histogram.assign(bins, 0);
     for (const Recovered* one : counted) {
         inside_68 += one->inside_68[index];
         inside_95 += one->inside_95[index];
         const double deviation = one->standard_deviation[index];
         summary.spread += deviation / count;
-        pulls.push_back(deviation > 0 ? (one->mean[index] - one->truth[parameter]) / deviation : 0);
+        errors.push_back(deviation > 0 ? (one->mean[index] - one->truth[parameter]) / deviation : 0);
         ++summary.histogram[static_cast<std::size_t>(one->rank[index]) * bins / (ranked_draws + 1)];
     }
     summary.coverage_68 = share(inside_68, count);
     summary.coverage_95 = share(inside_95, count);
-    summary.bias = count > 1 ? mean_of_replicates(pulls) : Estimate{pulls.front(), {pulls.front(), pulls.front()}};
+    summary.bias = count > 1 ? mean_of_replicates(errors) : Estimate{errors.front(), {errors.front(), errors.front()}};
     double chi_square = 0;
     const double expected = static_cast<double>(count) / bins;
     for (const int number : summary.histogram) {

@@ -7,9 +7,9 @@
 // shifts the result.
 //
 // An inequality has no error that could be drawn. Parameters drawn from the prior are therefore kept with the
-// probability exp(-pull^2 / 2) that the misfit assigns to their inequalities; ranks stay uniform. Parameters at which
-// the model has no answer are drawn again, since the posterior has no density there. A profile is left out, because its
-// misfit is not the probability of an observation.
+// probability exp(-residual^2 / 2) that the misfit assigns to their inequalities; ranks stay uniform. Parameters at
+// which the model has no answer are drawn again, since the posterior has no density there. A profile is left out,
+// because its misfit is not the probability of an observation.
 #pragma once
 
 #include "fitting/posterior/fit_problem.hpp"

@@ -23,8 +23,8 @@ void spend(std::chrono::nanoseconds cost) {
 Objective ridge(std::chrono::nanoseconds cost) {
     return [cost](std::span<const double> x) {
         spend(cost);
-        const double pull = (x[0] * x[1] - 0.25) / 0.01;
-        return Evaluation{pull * pull, {}};
+        const double residual = (x[0] * x[1] - 0.25) / 0.01;
+        return Evaluation{residual * residual, {}};
     };
 }
 

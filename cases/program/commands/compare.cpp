@@ -128,16 +128,8 @@ Analysed analysed(CaseFile file, const Options& options) {
 
 // The first figure of what `run` would report.
 void draw_picture(const Analysed& one, const std::string& name, const ResultFolder& folder, FigureRow& row) {
-    std::optional<Figure> picture;
-    const ResultFolder figures([&](const Figure& figure, const std::string&) {
-        if (!picture) {
-            picture = figure;
-        }
-    });
-    Report ignored;
-    append_case_figures(one.file.model, one.answer, figures, ignored);
-    if (picture) {
-        row.figures.push_back(folder.draw(*picture, name, stem_of(one.file) + "."));
+    if (const auto picture = first_case_figure(one.file.model, one.answer)) {
+        row.figures.push_back(folder.draw(picture->figure, name, stem_of(one.file) + "."));
     }
 }
 

@@ -6,12 +6,15 @@
 #include "cases/program/reports/study_reports.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/kept_evaluations.hpp"
+#include "cases/program/results/model_reports.hpp"
 #include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/study_output.hpp"
 #include "cases/program/sweeps/support_report.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
 #include "plots/drawing/text.hpp"
+
+#include <iterator>
 
 namespace delabole {
 
@@ -31,6 +34,28 @@ std::string reservation(SensitivityStatus status) {
                       "not converged: a method found no value of the quantity anywhere; the causes are in the report",
                       "not converged: the search for the design point ended before its tolerance; try "
                       "sensitivity.reliability.step and .tolerance"});
+}
+
+// The slope itself, below the head card. Blocks in motion are left out: their picture takes a run.
+void append_slope(const CaseModel& model, const ResultFolder& folder, Report& report) {
+    if (std::holds_alternative<RelaxationStudy>(model)) {
+        return;
+    }
+    const CaseAnswer answer = analyse_case(model);
+    if (!named_outputs(model, answer).failure.empty()) {
+        return;
+    }
+    std::vector<ReportBlock> blocks{Heading{"The slope with the values of the case"}};
+    std::string text;
+    for (const std::string& sentence : head_card(model, answer).sentences) {
+        text += (text.empty() ? "" : " ") + sentence;
+    }
+    blocks.emplace_back(Paragraph{std::move(text)});
+    if (const auto picture = first_case_figure(model, answer)) {
+        blocks.emplace_back(folder.draw(picture->figure, "section", picture->caption));
+    }
+    report.blocks.insert(report.blocks.begin() + 1, std::move_iterator(blocks.begin()),
+                         std::move_iterator(blocks.end()));
 }
 
 }  // namespace
@@ -63,6 +88,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     Json json;
     json["status"] = word_of(result.status);
     json.update(documents.json);
+    append_slope(file.model, folder, report);
     if (support) {
         for (ReportBlock& block : report.blocks) {
             if (auto* head = std::get_if<HeadCard>(&block)) {

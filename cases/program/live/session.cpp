@@ -327,7 +327,7 @@ Json LiveSession::fit(const Json& request) const {
                                 {"observed", value_in_words(row.observed, row.dimension)},
                                 {"relation", row.relation == Relation::equal ? "" : human_name(word_of(row.relation))},
                                 {"predicted", row.predicted ? value_in_words(*row.predicted, row.dimension) : ""},
-                                {"pull", finite(row.pull)}});
+                                {"residual", finite(row.residual)}});
     }
     const auto across = static_cast<std::size_t>(place(x));
     const auto up = static_cast<std::size_t>(place(y));

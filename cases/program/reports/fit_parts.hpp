@@ -18,7 +18,7 @@ std::string title_of(const MechanismFit& fit);
 // "friction angle" for "strength.friction_angle" if no other parameter has the same ending.
 std::string short_name(const MechanismFit& fit, const std::string& name);
 
-// A sum of squared pulls; a rounding error is shown as 0.
+// A sum of squared residuals; a rounding error is shown as 0.
 std::string misfit_in_words(double misfit);
 
 // Null if the fit has no profile of that parameter.

@@ -86,8 +86,8 @@ Table parameter_table(const MechanismFit& fit) {
 }
 
 // Residuals below 5e-4 are shown as 0.
-std::string pull_in_words(double pull) {
-    return std::abs(pull) < 5e-4 ? "0" : number_in_words(pull);
+std::string residual_in_words(double residual) {
+    return std::abs(residual) < 5e-4 ? "0" : number_in_words(residual);
 }
 
 std::string relation_in_words(Relation relation) {
@@ -95,20 +95,20 @@ std::string relation_in_words(Relation relation) {
 }
 
 Table observation_table(const MechanismFit& fit) {
-    Table table{
-        "Observed and predicted",
-        {"observation", "observed"_number, "standard deviation"_number, "predicted"_number, "pull"_number, "source"}};
+    Table table{"Observed and predicted",
+                {"observation", "observed"_number, "standard deviation"_number, "predicted"_number,
+                 "residual, standard deviations"_number, "source"}};
     for (const ObservationFit& row : fit.observations) {
         table.rows.push_back({row.label, relation_in_words(row.relation) + value_in_words(row.observed, row.dimension),
                               value_in_words(row.standard_deviation, row.dimension),
                               row.predicted ? value_in_words(*row.predicted, row.dimension) : "not predicted",
-                              row.predicted ? pull_in_words(row.pull) : "", row.source});
+                              row.predicted ? residual_in_words(row.residual) : "", row.source});
     }
     if (fit.profile_fit) {
         table.rows.push_back({"post-failure profile (distance)", value_in_words(0, Dimension::length),
                               value_in_words(fit.profile_fit->standard_deviation, Dimension::length),
                               value_in_words(std::round(fit.profile_fit->rms * 1e3) / 1e3, Dimension::length),
-                              pull_in_words(fit.profile_fit->pull()), ""});
+                              residual_in_words(fit.profile_fit->residual()), ""});
     }
     return table;
 }
@@ -142,7 +142,7 @@ Json json_of(const MechanismFit& fit) {
         entry = {{"label", row.label}, {"quantity", column_name(row.quantity, row.dimension)}};
         put<&ObservationFit::relation, &ObservationFit::observed, &ObservationFit::predicted, &ObservationFit::scatter>(
             entry, row, row.dimension);
-        put<&ObservationFit::pull>(entry, row);
+        put<&ObservationFit::residual>(entry, row);
     }
     if (fit.profile_fit) {
         json["profile_rms_m"] = fit.profile_fit->rms;
@@ -191,13 +191,13 @@ void write_tables(const MechanismFit& fit, const ResultFolder& folder) {
     }
     folder.write(fit.name + "_profiles.csv", profiles.text());
     CsvTable observations(
-        {"label", "quantity", "relation", "observed", "predicted", "standard_deviation", "unit", "pull"});
+        {"label", "quantity", "relation", "observed", "predicted", "standard_deviation", "unit", "residual"});
     for (const ObservationFit& row : fit.observations) {
         const Cell predicted = row.predicted ? Cell(in_display_unit(*row.predicted, row.dimension)) : Cell("");
         observations.add_row({row.label, row.quantity, std::string(word_of(row.relation)),
                               in_display_unit(row.observed, row.dimension), predicted,
                               in_display_unit(row.standard_deviation, row.dimension),
-                              std::string(display_unit(row.dimension).symbol), row.pull});
+                              std::string(display_unit(row.dimension).symbol), row.residual});
     }
     folder.write(fit.name + "_observations.csv", observations.text());
 }
@@ -391,10 +391,10 @@ StudyDocuments document_fit(const CaseFile& file, const FitProblem& problem, con
     }
     append_evidence(result, folder, report);
     report.blocks.emplace_back(ranking_table(result));
-    report.blocks.emplace_back(
-        Paragraph{"Score: the squared pulls of data and priors, and 4 for each datum or piece of field evidence that "
-                  "the mechanism says nothing about. A mechanism whose geometry is put in matches the observed "
-                  "surfaces by construction; one that predicts them has to earn it."});
+    report.blocks.emplace_back(Paragraph{
+        "Score: the squared residuals of data and priors, and 4 for each datum or piece of field evidence that "
+        "the mechanism says nothing about. A mechanism whose geometry is put in matches the observed "
+        "surfaces by construction; one that predicts them has to earn it."});
     if (const auto profiles = profiles_figure(problem, result, toe_elevation_of(file.model))) {
         report.blocks.emplace_back(folder.draw(*profiles, "profiles",
                                                "Where the geometry is put in, the profile is no prediction: only a "

@@ -124,10 +124,11 @@ StudyDocuments document_recovery(const std::vector<MechanismRecovery>& recoverie
         std::string("Data were made from known parameters, ") +
         (at_best ? "those of the best fit" : "drawn from the prior") +
         ", with the errors that the observations are given, and back-analysed as real data are, time and again. " +
-        (at_best ? "What departs from the nominal shares is the pull of the prior and the curvature of the model over "
-                   "the posterior."
-                 : "Were the sampling at fault, intervals would hold the truth too often or too seldom, and its rank "
-                   "among the draws would not be uniform (Talts et al. 2018).")});
+        (at_best
+             ? "What departs from the nominal shares is the influence of the prior and the curvature of the model over "
+               "the posterior."
+             : "Were the sampling at fault, intervals would hold the truth too often or too seldom, and its rank "
+               "among the draws would not be uniform (Talts et al. 2018).")});
     CsvTable csv({"mechanism", "parameter", "repetitions", "coverage_68", "coverage_68_lower", "coverage_68_upper",
                   "coverage_95", "coverage_95_lower", "coverage_95_upper", "bias", "bias_lower", "bias_upper",
                   "uniformity"});

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace delabole {
 
@@ -240,6 +241,20 @@ void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const
             }
         },
         model);
+}
+
+std::optional<CaseFigure> first_case_figure(const CaseModel& model, const CaseAnswer& answer) {
+    struct Found {
+        CaseFigure first;
+    };
+    const ResultFolder taken([](const Figure& figure, const std::string& caption) { throw Found{{figure, caption}}; });
+    Report ignored;
+    try {
+        append_case_figures(model, answer, taken, ignored);
+    } catch (Found& found) {
+        return std::move(found.first);
+    }
+    return std::nullopt;
 }
 
 Analysis analyse_model(const CaseModel& model, const AnalysisWork& work) {

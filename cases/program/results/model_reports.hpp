@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -119,6 +120,14 @@ Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer);
 HeadCard head_card(const CaseModel& model, const CaseAnswer& answer);
 void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report,
                          const InputDeviations& known = {});
+
+struct CaseFigure {
+    Figure figure;
+    std::string caption;
+};
+
+// The first of those figures, not drawn yet; the others are not computed.
+std::optional<CaseFigure> first_case_figure(const CaseModel& model, const CaseAnswer& answer);
 
 // Figures of a mechanism at its best point, for the report of `delabole fit`.
 template <class Study>

@@ -167,7 +167,7 @@ TEST(BackAnalysis, EvaluatesAMechanismWithoutFreeParameters) {
     const MechanismFit result = fit(problem).mechanisms[0];
     EXPECT_EQ(result.status, FitStatus::converged);
     EXPECT_NEAR(result.misfit, 16, 1e-12);
-    EXPECT_NEAR(result.observations[0].pull, -4, 1e-12);
+    EXPECT_NEAR(result.observations[0].residual, -4, 1e-12);
     EXPECT_EQ(result.prediction.outputs, (std::vector<double>{0.6}));
     EXPECT_EQ(result.identifiability.verdict, "No free parameters: nothing to identify.");
     EXPECT_TRUE(result.profiles.empty());

@@ -54,8 +54,9 @@ TEST(ProfileLikelihood, HasTheExactIntervalsOfALinearGaussianProblem) {
         EXPECT_NEAR(curve.interval_95.upper, best + z_95 * deviation, 1e-3 * deviation);
         EXPECT_EQ(curve.determination, Determination::determined);
         for (std::size_t index = 0; index < curve.values.size(); ++index) {
-            const double pull = (curve.values[index] - best) / deviation;
-            EXPECT_NEAR(curve.misfits[index] - curve.least_misfit, pull * pull, 1e-5 + 1e-6 * pull * pull);
+            const double residual = (curve.values[index] - best) / deviation;
+            EXPECT_NEAR(curve.misfits[index] - curve.least_misfit, residual * residual,
+                        1e-5 + 1e-6 * residual * residual);
         }
     }
     const double determinant = a * (c + 4) - b * b;

@@ -40,8 +40,8 @@ TEST(Misfit, CountsAnInequalityOnlyWhereBroken) {
     EXPECT_EQ(misfit.parts(std::vector<double>{4, 4}).data, 0);
     EXPECT_DOUBLE_EQ(misfit.parts(std::vector<double>{1, 4}).data, 1);
     EXPECT_DOUBLE_EQ(misfit.parts(std::vector<double>{4, 8}).data, 9);
-    EXPECT_EQ(misfit.compare(std::vector<double>{4, 8})[0].pull, 0);
-    EXPECT_DOUBLE_EQ(misfit.compare(std::vector<double>{4, 8})[1].pull, 3);
+    EXPECT_EQ(misfit.compare(std::vector<double>{4, 8})[0].residual, 0);
+    EXPECT_DOUBLE_EQ(misfit.compare(std::vector<double>{4, 8})[1].residual, 3);
 }
 
 TEST(Misfit, ConditionsOverrideInputsAndAreEvaluatedOnce) {
@@ -57,7 +57,7 @@ TEST(Misfit, ConditionsOverrideInputsAndAreEvaluatedOnce) {
         test::problem_of(model, {test::free_parameter("x1", 0, 10), test::free_parameter("x2", 0, 10)}, observations);
     const Misfit misfit(problem.mechanisms[0], problem);
     const Residuals residuals = misfit.residuals(std::vector<double>{2, 3});
-    EXPECT_EQ(residuals.pulls, (std::vector<double>{32, 6, 0.5}));
+    EXPECT_EQ(residuals.values, (std::vector<double>{32, 6, 0.5}));
     EXPECT_EQ(calls, 2);
 }
 
@@ -98,7 +98,7 @@ TEST(Misfit, MeasuresTheDistanceOfProfiles) {
     const Misfit misfit(problem.mechanisms[0], problem);
     EXPECT_NEAR(misfit.parts(std::vector<double>{3}).data, 3 * (3.0 / 2) * (3.0 / 2), 1e-12);
     EXPECT_NEAR(misfit.compare_profile(std::vector<double>{3})->rms, 3, 1e-12);
-    EXPECT_GT(misfit.residuals(std::vector<double>{3}).pulls.front(), 0) << "predicted above observed";
+    EXPECT_GT(misfit.residuals(std::vector<double>{3}).values.front(), 0) << "predicted above observed";
     EXPECT_EQ(misfit.data_count(), 3);
     EXPECT_EQ(misfit.parts(std::vector<double>{6}).failure, "profile_missing");
 }
@@ -125,8 +125,8 @@ TEST(Misfit, CountsTheScatterOfAnEnsembleAsItsDensitySays) {
     EXPECT_NEAR(misfit.parts(at).data, fit + cost, 1e-12);
     EXPECT_NEAR(misfit.scatter_cost(at), cost / 2, 1e-12);
     EXPECT_NEAR(misfit.compare(at)[0].standard_deviation, 5, 1e-12);
-    EXPECT_NEAR(misfit.compare_profile(at)->pull(), 2 / std::sqrt(5), 1e-12);
-    EXPECT_EQ(misfit.residuals(at).pulls.size(), misfit.data().size());
+    EXPECT_NEAR(misfit.compare_profile(at)->residual(), 2 / std::sqrt(5), 1e-12);
+    EXPECT_EQ(misfit.residuals(at).values.size(), misfit.data().size());
     EXPECT_EQ(misfit.data_count(), 5);
 }
 

@@ -18,7 +18,7 @@ void expect_calibrated(const ParameterRecovery& parameter, int counted) {
     const auto error = [&](double share) { return 3.3 * std::sqrt(share * (1 - share) / counted); };
     EXPECT_NEAR(parameter.coverage_68.value, 0.683, error(0.683)) << parameter.name;
     EXPECT_NEAR(parameter.coverage_95.value, 0.95, error(0.95)) << parameter.name;
-    // A pull has a standard deviation of about 1.
+    // A residual has a standard deviation of about 1.
     EXPECT_NEAR(parameter.bias.value, 0, 3.3 / std::sqrt(counted)) << parameter.name;
     EXPECT_GT(parameter.uniformity, 0.001) << parameter.name;
 }

@@ -189,7 +189,7 @@ function showObservations(observations) {
   find('observations').hidden = false;
   find('observations').tBodies[0].replaceChildren(...observations.map(one => {
     const row = document.createElement('tr');
-    for (const text of [one.label, `${one.relation} ${one.observed}`, one.predicted || 'not predicted', one.predicted ? one.pull.toFixed(1) : ''])
+    for (const text of [one.label, `${one.relation} ${one.observed}`, one.predicted || 'not predicted', one.predicted ? one.residual.toFixed(1) : ''])
       row.insertCell().textContent = text;
     return row;
   }));
