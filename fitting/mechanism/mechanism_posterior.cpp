@@ -136,17 +136,25 @@ PosteriorSettings guiding_settings(const FitProblem& problem) {
     return settings;
 }
 
+// The draws of the posterior as given guide the sampling. Only where they are too far from those of the variant, so
+// that the error of the evidence would itself be uncertain, chains of its own do.
 Evidence evidence_of_variant(const FitProblem& problem, std::size_t mechanism, const CostlyRuns* costly,
-                             EvidenceVariant variant, ProgressMeter& progress, StopFlag stop,
-                             EvaluationCount& account) {
+                             EvidenceVariant variant, const std::vector<Draw>& draws, ProgressMeter& progress,
+                             StopFlag stop, EvaluationCount& account) {
+    constexpr double least_share = 0.1;  // effective size over points; see evidence.hpp
     const FitProblem changed = varied(problem, variant);
     const Target target(changed, mechanism, costly, progress, stop);
-    const Posterior guide = sample_posterior(target.evaluator(), target.prior(), guiding_settings(changed));
-    account.add(guide.evaluations);
     // Half of the points suffices, since only the shift of the evidence matters and not its third digit.
     EvidenceSettings settings = evidence_settings(changed);
     settings.points = std::max(settings.points / 2, 16);
-    return estimate_evidence(target.evaluator(), target.prior(), guide.draws, settings);
+    Evidence evidence = estimate_evidence(target.evaluator(), target.prior(), draws, settings);
+    if (evidence.effective_size < least_share * settings.points * settings.replicates && !stop_requested(stop)) {
+        account.add(evidence.evaluations);
+        const Posterior guide = sample_posterior(target.evaluator(), target.prior(), guiding_settings(changed));
+        account.add(guide.evaluations);
+        evidence = estimate_evidence(target.evaluator(), target.prior(), guide.draws, settings);
+    }
+    return evidence;
 }
 
 std::vector<Polyline> profiles_of(const Misfit& misfit, const std::vector<Draw>& draws, bool costly,
@@ -331,8 +339,8 @@ MechanismPosterior study_posterior(const FitProblem& problem, std::size_t mechan
         const Evidence evidence = variant == EvidenceVariant::as_given
                                       ? estimate_evidence(target.evaluator(), target.prior(), result.posterior.draws,
                                                           evidence_settings(problem))
-                                      : evidence_of_variant(problem, mechanism, costly, variant, progress, stop,
-                                                            result.posterior.evaluations);
+                                      : evidence_of_variant(problem, mechanism, costly, variant, result.posterior.draws,
+                                                            progress, stop, result.posterior.evaluations);
         result.evidences.push_back({variant, evidence});
     }
     const Evidence& evidence = result.evidence();

@@ -41,21 +41,22 @@ std::string set_of(const CrestCrack& crack, const std::string& joint, const Rela
 
 Table crack_table(const PostFailure& failure, const RelaxationSlope& slope) {
     Table table{"Open joints at the ground behind the crest of the slope.",
-                {length_column("behind the crest"), "set", "dip, °"_number, length_column("opening")}};
+                {length_column("behind the crest"), "set", "dip, °"_number, "opening"_number}};
     for (const CrestCrack& crack : failure.crack) {
         table.rows.push_back({in_column(crack.position), set_of(crack, failure.answer.joint[crack.joint].joint, slope),
-                              degrees_in_words(crack.dip), in_column(crack.opening)});
+                              degrees_in_words(crack.dip), value_in_words(crack.opening, Dimension::length)});
     }
     return table;
 }
 
 Table crest_table(const PostFailure& failure) {
     Table table{"Blocks at the ground behind the crest: into the slope, upwards, and turning out of the slope.",
-                {length_column("behind the crest"), "block"_number, length_column("horizontal"),
-                 length_column("vertical"), "rotation, °"_number}};
+                {length_column("behind the crest"), "block"_number, "horizontal"_number, "vertical"_number,
+                 "rotation, °"_number}};
     for (const CrestBlock& block : failure.block) {
         table.rows.push_back({in_column(block.position), std::to_string(block.block + 1),
-                              in_column(block.movement.horizontal), in_column(block.movement.vertical),
+                              value_in_words(block.movement.horizontal, Dimension::length),
+                              value_in_words(block.movement.vertical, Dimension::length),
                               degrees_in_words(block.movement.rotation)});
     }
     return table;
