@@ -19,17 +19,23 @@ bool same_rock(const SectionMesh& mesh, MeshIndex edge) {
     return mesh.face(mesh.edge(edge).face).rock == mesh.face(mesh.edge(mesh.edge(edge).twin).face).rock;
 }
 
-// Least distance between two parallel lines that enclose a convex polygon; one of them lies along an edge.
-double width_of(const Polygon<>& outline) {
+// Least distance between two parallel lines that enclose a convex polygon, whose corners are in counterclockwise order;
+// one of them lies along an edge. The corner farthest from an edge moves on with the edge (rotating calipers), so that
+// the time grows as the number of corners, of which a side cut by thousands of joints has as many. Distances that fall
+// by no more than `rounding` do not end the search: corners on one line are not quite so.
+double width_of(const Polygon<>& outline, double rounding) {
+    const std::size_t count = outline.size();
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t index = 0; index < outline.size(); ++index) {
-        const PlanePoint<> along = outline[(index + 1) % outline.size()] - outline[index];
+    std::size_t farthest = 1;
+    for (std::size_t index = 0; index < count; ++index) {
+        const PlanePoint<> along = outline[(index + 1) % count] - outline[index];
         const PlanePoint<> normal = PlanePoint<>(-along.y(), along.x()) / along.norm();
-        double greatest = 0;
-        for (const PlanePoint<>& corner : outline) {
-            greatest = std::max(greatest, normal.dot(corner - outline[index]));
+        const auto distance = [&](std::size_t corner) { return normal.dot(outline[corner % count] - outline[index]); };
+        farthest = std::max(farthest, index + 1);
+        while (farthest + 1 < index + count && distance(farthest + 1) >= distance(farthest) - rounding) {
+            ++farthest;
         }
-        least = std::min(least, greatest);
+        least = std::min(least, distance(farthest));
     }
     return least;
 }
@@ -113,7 +119,7 @@ void merge_slivers(CuttingWork& work, double share, JointedSection& section) {
             if (mesh.alive(face) && !is_gouge(work, face)) {
                 const Polygon<> outline = mesh.outline_of(face);
                 const double area = area_properties(outline).area;
-                if (area < share * section.typical_area || width_of(outline) < share * size) {
+                if (area < share * section.typical_area || width_of(outline, 1e-9 * size) < share * size) {
                     function(face, outline, area);
                 }
             }
