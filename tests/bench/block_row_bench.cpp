@@ -1,4 +1,4 @@
-// What a row of blocks costs: enumeration of all modes of short rows, the bounded search of long ones.
+// Measures the cost of a row of blocks: all modes of short rows are tried, long ones have a bounded search.
 #include "limit_equilibrium/block_row/block_row.hpp"
 #include "limit_equilibrium/block_row/single_block.hpp"
 

@@ -1,4 +1,4 @@
-// What it costs to divide a slope into columns, and to search for its least stable base.
+// Measures the cost of dividing a slope into columns, and of searching for its least stable base.
 #include "limit_equilibrium/stepped_base/critical_base.hpp"
 #include "tests/lib/limit_equilibrium/columns/reference_recursion.hpp"
 

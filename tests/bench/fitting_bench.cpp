@@ -17,7 +17,7 @@ void spend(std::chrono::nanoseconds cost) {
     }
 }
 
-// Shaped like plane failure: friction in rad, cohesion and water as ratios.
+// The model resembles plane failure: friction is in rad, cohesion and water are ratios.
 ModelInterface sliding_model(std::chrono::nanoseconds cost) {
     ModelInterface model;
     for (const char* name : {"friction_angle", "cohesion", "water"}) {

@@ -1,4 +1,4 @@
-// What cutting a section into blocks costs, and making a scene of it.
+// Measures the cost of cutting a section into blocks, and of making a scene of it.
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "tests/support/jointed_slopes.hpp"
 
@@ -9,7 +9,7 @@
 namespace delabole {
 namespace {
 
-// Two sets with scatter across a square of about so many blocks.
+// Two sets with scatter cut a square into about so many blocks.
 SlopeGeometry crossed_square(std::int64_t blocks) {
     JointSetCut steep = testing::joint_set(degrees(70), 1);
     JointSetCut flat = testing::joint_set(degrees(-20), 1);

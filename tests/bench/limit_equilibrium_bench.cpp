@@ -1,5 +1,5 @@
-// What columns on a stepped base cost once they are made. Run with --benchmark_repetitions=10 and read the least time:
-// everything else is the machine.
+// Measures the cost of columns on a stepped base once they are made. Run with --benchmark_repetitions=10 and read the
+// least time: everything else is the machine.
 #include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,5 +1,5 @@
-// What the bound by linear programming costs: 100 blocks within 50 ms. Run with --benchmark_repetitions=10 and read the
-// least time.
+// Measures the cost of the bound by linear programming: 100 blocks have to take less than 50 ms. Run with
+// --benchmark_repetitions=10 and read the least time.
 #include "limit_equilibrium/bound/block_assembly.hpp"
 #include "limit_equilibrium/bound/lp_bound.hpp"
 #include "limit_equilibrium/columns/make_columns.hpp"

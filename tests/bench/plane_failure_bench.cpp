@@ -1,5 +1,5 @@
-// What plane failure costs. Run with --benchmark_repetitions=10 --benchmark_report_aggregates_only=false and read the
-// least time: everything else is the machine.
+// Measures the cost of plane failure. Run with --benchmark_repetitions=10 --benchmark_report_aggregates_only=false and
+// read the least time: everything else is the machine.
 #include "plane_failure/critical.hpp"
 #include "plane_failure/plane_failure.hpp"
 #include "plane_failure/required.hpp"
@@ -40,7 +40,7 @@ void analyse_with_all_checks(benchmark::State& state) {
 }
 BENCHMARK(analyse_with_all_checks);
 
-// One sample of a Monte Carlo run: a fresh copy, three inputs drawn, all checks.
+// One sample of a Monte Carlo run takes a fresh copy, draws three inputs and makes all checks.
 void monte_carlo_sample(benchmark::State& state) {
     const PlaneFailure<> base = hoek_bray();
     double drawn = 0;

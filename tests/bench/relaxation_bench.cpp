@@ -1,5 +1,5 @@
-// What dynamic relaxation costs: a step of a pack of bricks that moves and of one at rest, a search for contacts, the
-// start, and whole bisections for a critical value.
+// Measures the cost of dynamic relaxation: a step of a pack of bricks that moves and of one at rest, a search for
+// contacts, the start, and whole bisections for a critical value.
 #include "dynamic_relaxation/blocks/neighbours.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
@@ -21,7 +21,7 @@ int rows_of(std::int64_t bricks) {
 }
 
 RelaxationScene pack(std::int64_t bricks) {
-    // Four times as long as high.
+    // The pack is four times as long as it is high.
     const int rows = rows_of(bricks);
     return brick_pack_scene({rows, static_cast<int>(bricks / rows), 1e5, degrees(40), degrees(20)});
 }
@@ -41,7 +41,7 @@ void report(benchmark::State& state, const Simulation& simulation, std::uint64_t
         static_cast<double>(simulation.state().contacts_evaluated - contacts_before), benchmark::Counter::kIsRate);
 }
 
-// Dropped onto its springs, once the wave that begins at the base is through: every contact works.
+// The pack is dropped onto its springs, and timed once the wave from the base has passed: every contact then works.
 void step_moving(benchmark::State& state) {
     RelaxationSettings settings = endless();
     settings.start = RelaxationStart::dropped;
@@ -58,10 +58,10 @@ void step_moving(benchmark::State& state) {
     report(state, simulation, before);
 }
 BENCHMARK(step_moving)->Args({100, 1})->Args({1000, 1})->Args({10000, 1})->Args({10000, 2})->UseRealTime();
-// A fixed number: to find one, the benchmark would repeat all the steps before the loop.
+// The number of iterations is fixed: to find one, the benchmark would repeat all the steps before the loop.
 BENCHMARK(step_moving)->Args({100000, 1})->Iterations(100)->UseRealTime();
 
-// The same after it has come to rest.
+// The pack has come to rest before it is timed.
 void step_at_rest(benchmark::State& state) {
     Simulation simulation(pack(state.range(0)), endless());
     std::uint64_t evaluated = 0;
@@ -102,7 +102,7 @@ double bisect(double stands, double fails, double width, const SceneAt& scene_at
     return (stands + fails) / 2 / degrees(1);
 }
 
-// Blocks in a row, arguments count, a/b, k b/W as a power of ten times 10, theory in thousandths of a degree.
+// The arguments are the number of blocks, a/b, 10 log10(k b/W) and the theoretical tilt in thousandths of a degree.
 void critical_tilt(benchmark::State& state) {
     const auto count = static_cast<std::size_t>(state.range(0));
     const StandingBlock block{1, static_cast<double>(state.range(1))};
@@ -130,7 +130,7 @@ BENCHMARK(critical_tilt)
     ->Args({2, 10, 75, 6313})
     ->Unit(benchmark::kMillisecond);
 
-// Arguments: k b/W of the highest column as a power of ten times 10.
+// The argument is 10 log10(k b/W) of the highest column.
 void limiting_friction_appendix_a(benchmark::State& state) {
     StandingBlocks columns;
     for (const double height : {1.0, 2.0, 3.0, 4.0, 3.1, 2.2, 1.3, 0.4}) {

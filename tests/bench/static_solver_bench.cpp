@@ -1,9 +1,8 @@
-// What statics of slopes cut into more and more blocks costs: the equilibrium of the three sets of Old Delabole
-// (cases/thesis/chapter_2/delabole_1500_blocks.toml), which stand at 60 deg of friction, and the factor of safety of
-// columns that slide and lean.
+// Measures the cost of statics for slopes cut into more and more blocks: the equilibrium of the three sets of Old
+// Delabole (cases/thesis/chapter_2/delabole_1500_blocks.toml), which stand at 60 deg of friction, and the factor of
+// safety of columns that slide and lean.
 //
-// With --figure=FOLDER the times of what has run are drawn over the numbers of blocks, beside the growth that is
-// wanted.
+// With --figure=FOLDER the measured times are drawn over the numbers of blocks, beside the growth that is wanted.
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "plots/drawing/figure.hpp"
 #include "plots/drawing/text.hpp"
@@ -54,7 +53,7 @@ RelaxationStudy slope(const std::vector<Set>& sets, double snap_distance, double
     return study;
 }
 
-// Joints A and B and cleavage of Delabole; `fineness`: spacings over those of 1500 blocks.
+// Joints A and B and cleavage cut the slope; `fineness` is the ratio of the spacings to those of 1500 blocks.
 RelaxationStudy delabole(double fineness) {
     return slope({{degrees(70), 10 * fineness, 0},
                   {degrees(-85), 2.549 * fineness, 0},
@@ -123,7 +122,7 @@ class Reporter : public benchmark::ConsoleReporter {
     Times times_;
 };
 
-// Of the straight line of least squares.
+// Returns the slope of the least-squares line.
 double slope_of(const Polyline& points) {
     Point mean(0, 0);
     for (const Point& point : points) {

@@ -56,7 +56,7 @@ value = 1
 standard_deviation = 0.05
 )";
 
-// To stand behind example_text: a mechanism of the case's own model and one of another.
+// To be appended to example_text: a mechanism of the case's own model and one of another model.
 inline constexpr std::string_view two_models = R"(
 [fit]
 [[fit.mechanism]]
@@ -82,7 +82,7 @@ value = "12 deg"
 standard_deviation = "1 deg"
 )";
 
-// The same with what the second says in its own terms.
+// To be appended to the same: the second mechanism's own observation, evidence and surrogate.
 inline constexpr std::string_view own_terms = R"(
 [[fit.mechanism.observation]]
 label = "tilt"

@@ -44,7 +44,7 @@ TEST(FitReader, AMechanismMayBeOfAnotherModel) {
                   " (did you mean tilted_column?)");
 }
 
-// Behind the parameter of the second mechanism, where its own tables belong.
+// The terms stand behind the parameter of the second mechanism, where its own tables belong.
 std::string in_own_terms() {
     std::string text = std::string(example_text) + std::string(two_models);
     return text.insert(text.find("[[fit.observation]]"), std::string(testing::own_terms).substr(1));
@@ -138,7 +138,7 @@ standard_deviation = "5 ft"
               "slope.toml:54:10: fit.profile.points = [ ... ]: must hold at least two different points");
 }
 
-// A rival in a few lines.
+// A rival that is like another mechanism but for one value.
 constexpr std::string_view rival = R"(
 [[fit.mechanism]]
 name = "wetter"

@@ -41,10 +41,10 @@ TEST(PublishedProblems, AreReadAndSayWhatTheyExpect) {
         EXPECT_NE(std::string(thesis_published_factors).find("," + std::string(built_in.name) + ","), std::string::npos)
             << built_in.name << " is not in the table of published factors";
     }
-    EXPECT_EQ(count, 23U);  // RJ-1 has four
+    EXPECT_EQ(count, 23U);  // problem RJ-1 has four variants
 }
 
-// Those whose search takes less than a second or two of processor time.
+// These are the problems whose search takes less than a second or two of processor time.
 TEST(PublishedProblems, QuickOnesHaveTheFactorsThatTheyExpect) {
     for (const std::string_view name : {"rj_1a", "rj_1b", "rj_1d", "rj_2", "rj_6"}) {
         const CaseFile file = published_case(name);
@@ -71,7 +71,7 @@ TEST(PublishedProblems, LevelGroundAtTheToeHoldsNothing) {
     EXPECT_TRUE(answer.held_by_corners);
 }
 
-// The value found, in the drawing's own frame.
+// A redrawn study; `sign` and `shift` turn the value found there into that of the study as drawn.
 struct Redrawn {
     std::string name;
     RelaxationStudy study;
@@ -79,8 +79,8 @@ struct Redrawn {
     double shift = 0;  // of a tilt, rad
 };
 
-// In all the ways that the study can be drawn; the first is the study itself. Sets by other traces of jointed slopes
-// alone.
+// Draws the study in all possible ways; the first is the study itself. Only jointed slopes can have their sets begin at
+// another trace.
 std::vector<Redrawn> redrawn(const RelaxationStudy& study) {
     const RelaxationStudy polygons = testing::as_polygons(study);
     const bool tilts = std::holds_alternative<TiltSearch>(*study.critical);
@@ -98,8 +98,8 @@ std::vector<Redrawn> redrawn(const RelaxationStudy& study) {
     return all;
 }
 
-// Columns that topple, with and without a force, blocks that slide on joints which daylight, and bonded rock. With
-// DELABOLE_PUBLISHED=all every problem, which takes an hour, or those named; and a count of the drawings that agree.
+// These have toppling columns with and without a force, blocks that slide on daylighting joints, and bonded rock.
+// DELABOLE_PUBLISHED=all (an hour) or a list of names tests others and counts the drawings that agree.
 TEST(PublishedProblems, HaveOneFactorHoweverTheyAreDrawn) {
     std::vector<std::string> names{"rj_1d", "rj_2", "rj_6", "rj_19"};
     if (const char* const asked = std::getenv("DELABOLE_PUBLISHED")) {
@@ -127,7 +127,7 @@ TEST(PublishedProblems, HaveOneFactorHoweverTheyAreDrawn) {
                 as_drawn = answer;
             }
             const double value = drawing.sign * answer.value() + drawing.shift;
-            // Rounding may take the bracket to the next one.
+            // Rounding may lead the bisection to the neighbouring bracket.
             const double allowed = 1.01 * std::abs(as_drawn->fails - as_drawn->stands);
             const bool same = answer.status == as_drawn->status && std::abs(value - as_drawn->value()) <= allowed;
             EXPECT_TRUE(same) << name << ", " << drawing.name << ": " << word_of(answer.status) << " " << value
@@ -145,7 +145,7 @@ RelaxationScene published_scene(std::string_view name) {
     return relaxation_scene(std::get<RelaxationStudy>(published_case(name).model));
 }
 
-// Of two rigid blocks each, published with five digits; as in RJ-6 the blocks that slide are the ones drawn.
+// The published bounds have five digits and two rigid blocks each; as in RJ-6 the blocks that slide are the ones drawn.
 TEST(PublishedProblems, StaticsAloneGivesTheBoundsOfRigidBlocks) {
     const std::vector<std::pair<std::string_view, double>> bounds{
         {"rj_6", 1.3264}, {"rj_11", 1.2148}, {"rj_12", 2.0324}, {"rj_13", 0.9988}, {"rj_14", 1.2686}};

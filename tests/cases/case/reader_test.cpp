@@ -231,7 +231,7 @@ TEST(Reader, TextThatIsNoCase) {
     EXPECT_NE(complaint(unknown).find("\nand 900 more"), std::string::npos);
 }
 
-// Whether a key belongs to a kind that --set has replaced was asked of the whole section for each of its keys: 24 s.
+// The whole section was once searched for each key, to see if it belongs to a kind that --set replaced: 24 s.
 TEST(Reader, TimeGrowsWithTheKeysThatAreNone) {
     std::string unknown;
     for (int count = 0; count < 150'000; ++count) {
@@ -240,7 +240,7 @@ TEST(Reader, TimeGrowsWithTheKeysThatAreNone) {
     unknown += example_text;
     const std::clock_t begin = std::clock();
     EXPECT_NE(complaint(unknown).find("\nand 149900 more"), std::string::npos);
-    // 1 s in a release build, some four times that with sanitizers.
+    // It takes 1 s in a release build, and some four times that with sanitizers.
     EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 10);
 }
 

@@ -28,7 +28,7 @@ void expect_same_model(const CaseModel& first, const CaseModel& second) {
     }
 }
 
-// Takes the comment sign from every line that holds TOML in the further parts of a template.
+// Removes the comment sign from every line that holds TOML in the further parts of a template.
 std::string uncommented(const std::string& text, std::string_view from) {
     std::string result = text.substr(0, text.find(from));
     std::istringstream lines(text.substr(text.find(from)));
@@ -205,7 +205,7 @@ TEST(Template, OptionalSectionsAreValid) {
     expect_valid_sections("wedge", {"# [seismic]", "# [[load]]", "# [[bolt]]", "# [[required]]"});
 }
 
-// Cross joints cut columns that carry their own weight alone, which the sections above give loads.
+// Cross joints need columns without loads, but the sections above give the columns loads.
 TEST(Template, CrossJointsAreValidInDryColumnsWithoutALoad) {
     const std::string text = commented_template("stepped_base");
     const auto without = [](std::string remaining, const std::string& section) {

@@ -13,7 +13,7 @@
 namespace delabole {
 namespace {
 
-// The uphill top corner of each block follows, to the point where the pointer is.
+// The uphill top corner of each block moves to where the pointer is.
 TEST(LiveDrags, BlocksOfARowAreDragged) {
     for (const auto& [name, count] :
          std::array<std::pair<const char*, std::size_t>, 3>{{{"starting/flexural_toppling.toml", 4},
@@ -26,7 +26,7 @@ TEST(LiveDrags, BlocksOfARowAreDragged) {
             if (handle["name"] == "toe") {
                 continue;  // stays the origin, see TheToeLeavesTheCrest
             }
-            // Within the picture, where the corner is drawn.
+            // The handle lies within the picture, where the corner is drawn.
             const double x = handle["at"][0];
             const double y = handle["at"][1];
             const Json& figure = before["figures"][0];
@@ -86,7 +86,7 @@ TEST(LiveDrags, LinesThatHaveADipAndBoltsAreDragged) {
             const Json answer = session.drag({{"handle", handle["name"]}, {"to", {x, y}}});
             const auto dip = answer["values"][handle["inputs"][0]].get<double>();
             const double slope = (y - handle["from"][1].get<double>()) / (x - handle["from"][0].get<double>());
-            // The joints of a stepped base dip into the slope, where their dip is positive.
+            // The joints of a stepped base dip into the slope if their dip is positive.
             EXPECT_NEAR(std::tan(degrees(dip)), handle["name"] == "joints" ? -slope : slope, 1e-5) << handle["name"];
         }
         EXPECT_EQ(found, lines) << name;
@@ -125,7 +125,7 @@ TEST(LiveDrags, JointSetsAndOutlineOfASectionAreDragged) {
         if (name.starts_with("joint set ")) {
             sets.push_back(name);
             const auto dip = answer["values"][handle["inputs"][0]].get<double>();
-            // From the middle of the outline towards the pointer: 10 m across, 6 m up.
+            // The line goes from the middle of the outline, 10 m across and 6 m up, towards the pointer.
             EXPECT_NEAR(std::tan(degrees(dip)), (y + 0.1 - 6) / (x - 0.2 - 10), 1e-6) << name;
         }
     }
@@ -149,8 +149,8 @@ TEST(LiveDrags, EveryPointOfASectionIsDragged) {
         const Json answer = session.drag({{"handle", handle["name"]}, {"to", {x, y}}});
         const Json& moved =
             *std::ranges::find(answer["handles"], handle["name"], [](const Json& one) { return one["name"]; });
-        // A point on a line that it cannot leave goes as near as the line comes: of a slanting, level or upright line,
-        // at most 0.1 m away, of 0.14 m before.
+        // The pointer moves by 0.14 m. A point that cannot leave its line follows to where the line comes nearest, at
+        // most 0.1 m away for a slanting, level or upright line.
         EXPECT_LT(std::hypot(moved["at"][0].get<double>() - x, moved["at"][1].get<double>() - y), 0.1 + 1e-6)
             << handle["name"];
     }
@@ -158,7 +158,7 @@ TEST(LiveDrags, EveryPointOfASectionIsDragged) {
                                                "where the plane daylights", "tension crack", "water level"}));
 }
 
-// What is dragged over north goes on behind it.
+// A pole that is dragged across north continues on the other side.
 TEST(LiveDrags, PolesOfAStereonetAreDragged) {
     const LiveSession session = session_of("starting/kinematics.toml");
     const Json answer = session.answer(Json::object());

@@ -93,7 +93,7 @@ class Requests {
         return all[below(all.size())];
     }
 
-    // A member, or one within it.
+    // Replaces a member of the request, or a part of one, by something wrong.
     void spoil(Json& request) {
         Json* place = &*std::next(request.begin(), static_cast<std::ptrdiff_t>(below(request.size())));
         if (place->is_structured() && !place->empty() && below(2) == 0) {
@@ -112,7 +112,7 @@ struct Counts {
     int refused = 0;
 };
 
-// Anything else that is thrown fails the test.
+// An exception of any other type fails the test.
 template <class Ask>
 void ask(Counts& counts, const Json& request, Ask&& function) {
     SCOPED_TRACE(request.dump());
@@ -163,7 +163,7 @@ TEST_P(AnyRequest, IsAnsweredOrRefusedInWords) {
         ask(counts, request, [&] { session.change_motion(request); });
         ask(counts, request, [&] { session.verdict_of_motion(request); });
     }
-    // Of both kinds there are many.
+    // Both answers and refusals are frequent.
     EXPECT_GT(counts.answered, number);
     EXPECT_GT(counts.refused, number);
 }
@@ -193,7 +193,7 @@ TEST(LiveSession, GroupsOfInputsHaveTheirNames) {
                                                 "joint set[2]: joints", "joint set[3]: cross joints"}));
 }
 
-// The valley runs where the factor of safety is 1, but for the prior of the friction angle.
+// The valley of the misfit follows a factor of safety of 1, but for the prior of the friction angle.
 TEST(LiveSession, MisfitOfACaseWithFitIsThatOfItsObservations) {
     const LiveSession session = session_of("starting/fit.toml");
     const Json request = inputs_of_map(session, 13, 9);
@@ -215,7 +215,7 @@ TEST(LiveSession, MisfitOfACaseWithFitIsThatOfItsObservations) {
     EXPECT_EQ(fit["observations"][0]["predicted"], "1.54");
 }
 
-// The same sentences as the commands print, of the slope as the page has it.
+// The page has the same sentences as the commands print, for the slope as it stands on the page.
 TEST(LiveSession, StudiesTheSlopeAsItIs) {
     const auto has = [](const Json& answer, std::string_view text) {
         return std::ranges::any_of(answer["sentences"], [&](const Json& sentence) {
@@ -255,7 +255,7 @@ TEST(LiveSession, RoundNumbersAreSavedAsPeopleWriteThem) {
     }
 }
 
-// A corner of a drawing that was dragged stands in the case, and the drawing does not.
+// Once a corner of an outline from a file has been dragged, the case holds the corners and not the file's name.
 TEST(LiveSession, AnOutlineFromAFileIsSavedWithItsPoints) {
     const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "live_outline";
     std::filesystem::create_directories(folder);
@@ -325,7 +325,7 @@ TEST(LiveSession, MeasuredPolesAreOneGroup) {
     EXPECT_EQ((*poles)["inputs"][0]["label"], "plane[1]: dip");
 }
 
-// Motion goes on past its end, and what is said of it is what the report of a run says.
+// Motion continues past its end, and is described in the words of the report of a run.
 TEST(LiveSession, AMotionEndsInTheWordsOfItsRun) {
     constexpr const char* name = "starting/jointed_slope.toml";
     CaseFile file = read_case(DELABOLE_CASES "/" + std::string(name));
@@ -347,7 +347,7 @@ TEST(LiveSession, AMotionEndsInTheWordsOfItsRun) {
         EXPECT_EQ(said["over"], false);
         EXPECT_TRUE(head.sentences.front().starts_with(friction < 40 ? "Failed: " : "Stands: ")) << said;
     }
-    // From rest on with less friction: the verdict is found anew.
+    // With less friction the motion continues from rest, and the verdict is found anew.
     session.change_motion({{"values", {{"scene.joint[1].friction_angle", 12.0}}}});
     EXPECT_EQ(session.verdict_of_motion({}), Json::object());
     for (int turn = 0; turn < 1000 && session.verdict_of_motion({}).empty(); ++turn) {

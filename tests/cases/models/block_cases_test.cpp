@@ -87,7 +87,7 @@ TEST(BlockCases, EveryModeOfARowAnswersByItsLetters) {
     EXPECT_NE(analysis.find("block[2].normal_force"), nullptr);
 }
 
-// Long rows: no list of thousands of modes among the answers, and roles in a form that can be read.
+// Answers of long rows do not list thousands of modes, and give the roles in a form that can be read.
 TEST(BlockCases, LongRowsAreSummarised) {
     CaseFile file = parse_case(row_text, "row.toml");
     auto& row = std::get<BlockRow<>>(file.model);

@@ -36,7 +36,7 @@ class CheckpointFile : public ::testing::Test {
     std::string refusal(const RelaxationStudy& other) const {
         const KeptProgress kept = read_checkpoint(path, other, KeepFrames::no);
         EXPECT_FALSE(kept.found);
-        // Whatever it refuses, it does not overwrite another's work.
+        // Only progress of another case or version is marked as such, so that it is not overwritten.
         EXPECT_EQ(kept.of_other, kept.refusal.starts_with("belongs to") || kept.refusal.starts_with("was written by"));
         return kept.refusal;
     }
@@ -75,7 +75,7 @@ TEST_F(CheckpointFile, IsRefusedByName) {
     EXPECT_EQ(refusal(study), "was written by another version of delabole");
 }
 
-// Only their sizes are so large: the files have holes.
+// The files are sparse: only their sizes are so large.
 TEST_F(CheckpointFile, LargerThanTheMemoryIsRefusedByName) {
     constexpr std::uintmax_t hundred_gigabytes = 100'000'000'000;
     write_file_atomically(path, "");
@@ -85,7 +85,7 @@ TEST_F(CheckpointFile, LargerThanTheMemoryIsRefusedByName) {
     const std::string bytes = content_of(path);
     std::filesystem::resize_file(path, hundred_gigabytes);
     EXPECT_EQ(refusal(study), "is damaged");
-    // With a length that agrees.
+    // The length in the file now agrees with its size.
     constexpr std::size_t place_of_length = 24;
     constexpr std::size_t around_the_body = 40;
     std::string beginning = bytes;

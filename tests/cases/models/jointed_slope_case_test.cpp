@@ -195,7 +195,7 @@ TEST(OutlineFile, DxfPolylinesAndLinesBecomeAnOutline) {
     ASSERT_EQ(old.problem, "");
     ASSERT_EQ(old.outline.size(), 3U);
     EXPECT_DOUBLE_EQ(old.outline[1].x, 0.014);
-    // In no order, one of them the other way round.
+    // The lines are in no order, and one of them runs the other way round.
     const OutlineFile lines = outline_of_dxf(
         dxf_of(dxf_line(0, 0, 14, 0) + dxf_line(14, 8, 4, 8) + dxf_line(14, 8, 14, 0) + dxf_line(4, 8, 0, 0)));
     EXPECT_EQ(lines.problem, "");
@@ -340,7 +340,7 @@ lower = "30 deg"
 upper = "60 deg"
 )";
 
-// The scene of the case as that of the mechanism written last, with its outline in a file.
+// Writes the scene of the case as that of the mechanism written last, with its outline in a file.
 std::string scene_of_mechanism() {
     const std::size_t begin = slope_text.find("[scene]");
     std::string text(slope_text.substr(begin, slope_text.find("[settings]") - begin));
@@ -356,7 +356,7 @@ std::size_t corners_of(const CaseModel& model) {
     return std::get<RelaxationSlope>(std::get<RelaxationStudy>(model).model.scene).geometry.outline.size();
 }
 
-// The case has four corners, the file, with a bench, six.
+// The outline of the case has four corners, that of the file, which has a bench, six.
 TEST(OutlineFile, AMechanismMayHaveItsOwn) {
     const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "mechanism_outline";
     std::filesystem::create_directories(folder);

@@ -1,4 +1,4 @@
-// Measured planes beside the case: read in three notations, refused with their line.
+// Measured planes in a file beside the case are read in three notations, or refused with their line.
 #include "cases/program/models/kinematics/pole_file.hpp"
 
 #include "cases/program/case/case_file.hpp"
@@ -92,7 +92,7 @@ TEST(PoleFile, StandsInThePlaceOfItsName) {
     ASSERT_EQ(poles.size(), 1U);
     EXPECT_EQ(poles[0].plane.size(), 2U);
     EXPECT_FALSE(poles[0].file);
-    // Written out, it needs the file no more.
+    // The case that was written out does not need the file.
     const CaseFile again = parse_case(resolved_toml(file), "elsewhere.toml");
     EXPECT_EQ(std::get<KinematicsStudy>(again.model).model.poles[0].plane.size(), 2U);
 }

@@ -171,7 +171,7 @@ TEST(RelaxationCase, WaterOfAJointActsOnBothItsFaces) {
     EXPECT_EQ(pressure[1].block, 1U);
     EXPECT_EQ(pressure[1].edge, 3U);
     EXPECT_DOUBLE_EQ(pressure[1].at_second, 20e3);
-    // Of the plane, which begins three widths before the row, that under the second block.
+    // Of the plane, which begins three widths before the row, only the part under the second block is wet.
     EXPECT_EQ(pressure[3].block, 2U);
     ASSERT_TRUE(pressure[3].part);
     EXPECT_DOUBLE_EQ(pressure[3].part->end - pressure[3].part->begin, 1);
@@ -202,7 +202,7 @@ TEST(RelaxationCase, SaysThatTheTimeStepGivenWasDivided) {
     EXPECT_EQ(warning_at("1e-6 s"), "");
 }
 
-// What only the scene as a whole can judge, with the words a user gets.
+// Only the scene as a whole shows what is wrong, which is reported in the words that a user gets.
 TEST(RelaxationCase, NamesWhatMakesASceneImpossible) {
     const auto explained = [](std::string_view text) {
         const auto study = std::get<RelaxationStudy>(parse_case(text, "case").model);
@@ -253,7 +253,7 @@ TEST(RelaxationCase, SaysWhenARunHadNoEnd) {
     EXPECT_EQ(undecided.status, "undecided");
     EXPECT_EQ(undecided.unfinished,
               "the blocks neither came to rest nor failed within 0.01 s: raise settings.duration");
-    // Told to run for so long, it has done what it should.
+    // A run that is told to last so long has done what it should.
     EXPECT_EQ(analysis_of(slow + "stop = \"collapse\"\n").status, "ok");
 }
 

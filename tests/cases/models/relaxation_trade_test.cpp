@@ -76,7 +76,7 @@ TEST(RelaxationTrade, SingleBlockFollowsItsLawOverTheStiffness) {
         const double ratio = value_of(problem.knobs, row.setting, "stiffness_ratio");
         const double law = std::atan(1.0 / 3 - std::sqrt(1 + 1.0 / 9) / ratio);
         ASSERT_TRUE(row.error);
-        // Half the bracket, and a tenth of the shift for what the block moves before it is judged.
+        // The search errs by half its bracket, and by a tenth of the shift since the block moves before it is judged.
         const double tolerance = degrees(0.00025) + 0.1 * (std::atan(1.0 / 3) - law);
         EXPECT_NEAR(std::atan(1.0 / 3) + *row.error, law, tolerance) << "at " << ratio;
     }

@@ -1,4 +1,4 @@
-// A record of shaking beside the case: read once, written out, refused with its line.
+// A record of shaking in a file beside the case is read once, written out, or refused with its line.
 #include "cases/program/models/relaxation/shaking_file.hpp"
 
 #include "cases/program/case/case_writer.hpp"
@@ -66,7 +66,7 @@ TEST(ShakingRecord, HasUnitsInItsColumns) {
     const std::vector<ShakingPoint> record = shaking_of_csv(
         "# station 3\nvertical_cm_per_s2,time_ms,horizontal_m_per_s2\n\n-20,5,1\n30,10,-2e-1\n", "record");
     ASSERT_EQ(record.size(), 2U);
-    // Conversion of units: rounding.
+    // The conversion of units rounds.
     EXPECT_DOUBLE_EQ(record[0].time, 0.005);
     EXPECT_DOUBLE_EQ(record[0].horizontal, 1);
     EXPECT_DOUBLE_EQ(record[0].vertical, -0.2);
@@ -100,7 +100,7 @@ TEST_F(ShakingFile, TakesThePlaceOfEntries) {
     const CaseFile from_file = read(std::string(case_text));
     EXPECT_EQ(resolved_toml(from_file), resolved_toml(direct));
     EXPECT_EQ(case_hash(from_file), case_hash(direct));
-    // What is written out stands alone.
+    // The case that is written out does not need the file.
     const std::string resolved = resolved_toml(from_file);
     EXPECT_EQ(resolved.find("shaking_file"), std::string::npos);
     EXPECT_EQ(resolved_toml(parse_case(resolved, "elsewhere.toml")), resolved);
@@ -121,7 +121,7 @@ TEST_F(ShakingFile, ProblemsHaveTheirFileAndLine) {
               std::string::npos);
 }
 
-// A mechanism of a fit may be shaken otherwise than the case, whose record it then does not keep.
+// A mechanism of a fit may be shaken differently from the case, and then does not keep the record of the case.
 TEST_F(ShakingFile, OfAMechanismReplacesThatOfTheCase) {
     write("0,1,0\n0.5,-2,0.25\n");
     std::ofstream(folder.path() / "other.csv") << first_line << "1,3,0\n";

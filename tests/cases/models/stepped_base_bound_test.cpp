@@ -11,7 +11,7 @@ namespace {
 using testing::changed;
 using testing::complaint;
 
-// Two columns of which the upper would topple by itself.
+// The upper of these two columns would topple by itself.
 constexpr std::string_view columns_text = R"(schema = 1
 model = "stepped_base"
 title = "Two columns"
@@ -70,7 +70,7 @@ TEST(SteppedBaseBound, RefusesWhatContradictsIt) {
     EXPECT_NE(complaint(loaded).find("but the case has [[point_load]]"), std::string::npos);
 }
 
-// Every force state of the recursion, and of the cut columns, is one that whole columns may choose.
+// Whole columns may choose every force state of the recursion, and every one of cut columns.
 TEST(SteppedBaseBound, LiesOnTheUnsafeSide) {
     const Analysis analysis = analyse_model(parse_case(std::string(columns_text), "case").model);
     ASSERT_EQ(analysis.failure, "");
@@ -84,7 +84,7 @@ TEST(SteppedBaseBound, LiesOnTheUnsafeSide) {
     EXPECT_EQ(number_of(analysis, "bound.body_count"), 2);
 }
 
-// One column on its base: sliding alone, with the cohesion that the recursion counts too.
+// A single column can only slide on its base, with the cohesion that the recursion counts too.
 TEST(SteppedBaseBound, CountsTheCohesionOfTheBases) {
     const std::string second = "[[columns.block]]\nheight = \"5 m\"\nwidth = \"1 m\"\nstep_above = \"0 m\"\n";
     std::string text = changed(columns_text, second, "");
@@ -94,7 +94,7 @@ TEST(SteppedBaseBound, CountsTheCohesionOfTheBases) {
     EXPECT_NEAR(number_of(analysis, "bound.factor_of_safety"), number_of(analysis, "factor_of_safety"), 1e-9);
 }
 
-// Tops that follow the ground are no rectangles: the word, and no number.
+// Columns whose tops follow the ground are no rectangles: the report says so and gives no number.
 TEST(SteppedBaseBound, NamesWhyOddColumnsAreNotCut) {
     const std::string_view continuous = R"([slope]
 height = "20 m"

@@ -1,4 +1,4 @@
-// What the program says of columns on a stepped base: outcomes and warnings in the words that fit them.
+// The program describes outcomes of columns on a stepped base, and warns, in the words that fit them.
 #include "cases/program/case/case_file.hpp"
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/models/stepped_base/drawing.hpp"
@@ -70,7 +70,7 @@ TEST(SteppedBaseReport, ARequirementMetByAnyValueIsNotNeverReached) {
         "never_reached");
 }
 
-// A push of 3883 kN/m on the toe column, which a cable holds, rubs so much on column 2 that its base has nothing left.
+// The friction of the push of 3883 kN/m on the toe column, which a cable holds, unloads the base of column 2.
 constexpr std::string_view cable_in_a_low_column = R"(
 schema = 1
 model = "stepped_base"
@@ -91,7 +91,7 @@ TEST(SteppedBaseReport, DoubtsACableUnderWhichAColumnWouldLiftOffItsBase) {
               "FS 1.25 takes 1850 kN/m in a cable in column 1, 2 m above its base, at 15 deg, but then column 2 would "
               "lift off the base, or slip on it while toppling, which the recursion does not see.");
     EXPECT_TRUE(warns(analyse_model(study), "required_cable[1].force: with it column 2 would lift off the base"));
-    // The same force as that of a bolt.
+    // A bolt with the same force lifts the column too.
     study.model.scene.bolt.push_back({1, answer.required_cable[0].force, degrees(15), 2});
     EXPECT_TRUE(warns(analyse_model(study), "column 2 would lift off the base"));
     study.model.scene.bolt.clear();
@@ -145,8 +145,8 @@ std::size_t breaks(const GeometrySweep& sweep, std::size_t series) {
     return count;
 }
 
-// Joints are counted from the end of the base, so that a bolt moves by a column wherever one begins at the toe: between
-// 1.5 and 15 m of spacing the 28 m of base take up some 20 of them.
+// Joints are counted from the end of the base, so that a bolt moves to another column whenever one begins at the toe:
+// between 1.5 and 15 m of spacing the 28 m of base take up some 20 columns.
 TEST(SteppedBaseReport, BreaksTheCurveWhereABoltMovesToAnotherColumn) {
     SteppedBase<> problem = problem_of("water_wedge_cable.toml");
     const auto spacing_of = [](const std::vector<GeometrySweep>& sweeps) {
@@ -184,7 +184,7 @@ TEST(SteppedBaseReport, SaysWhyThereAreNoFigures) {
     EXPECT_FALSE(warns(analysis_of("water_wedge_cable.toml", {}), "figures are left out"));
 }
 
-// A commented template without what it offers instead of its own choice: from "# or:" to the next empty line.
+// Removes what a commented template offers instead of its own choice: from "# or:" to the next empty line.
 std::string without_alternatives(std::string text) {
     constexpr std::string_view mark = "\n# or:";
     for (std::size_t start = text.find(mark); start != std::string::npos; start = text.find(mark, start)) {
@@ -219,8 +219,7 @@ TEST(Templates, EverySectionGivesAnAnswerOnceUncommented) {
             if (rows_of_bolts || header.starts_with("[retrogression") || header.starts_with("[ensemble")) {
                 continue;  // of a jointed slope, and refused of the blocks that the template has
             }
-            // Poles take the place of the joint sets that the template has; a stepped path covers no bench, and says
-            // so.
+            // Poles replace the joint sets of the template; a stepped path covers no bench, and says so.
             const bool stands_instead =
                 model == "kinematics" && (header.starts_with("[[poles") || header.starts_with("[set_search"));
             if (stands_instead || (model == "stepped_path" && header.starts_with("[slope.bench"))) {

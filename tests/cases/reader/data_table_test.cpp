@@ -54,7 +54,7 @@ TEST(DataTable, ReadsEveryKindOfCell) {
     EXPECT_EQ(rows[0].name, "1(R)");
     EXPECT_EQ(rows[0].slope_angle, degrees(60));
     ASSERT_TRUE(rows[0].height);
-    // One rounding of 12 times the inch.
+    // The 12 inches are rounded once.
     EXPECT_NEAR(*rows[0].height, 0.3048, 1e-15);
     EXPECT_EQ(rows[0].height_ratio, 12);
     EXPECT_EQ(rows[0].verdict, Verdict::yes);
@@ -118,7 +118,7 @@ TEST(DataTable, ComplainsAboutColumns) {
               "slopes.csv:1:1: holds no table: its first line names the columns");
 }
 
-// A case may name a file that is none of its sender's business.
+// A case from somebody else may name a private file, of which no content may be shown.
 TEST(DataTable, ShowsNothingOfAFileThatIsNoTable) {
     EXPECT_EQ(complaint_of_table("root:secret:1,2\nmore\n"),
               "slopes.csv:1:1: names none of the columns of this table: name, slope_angle_deg, height_m, height_ratio, "
@@ -131,7 +131,7 @@ TEST(DataTable, ComplainsAboutQuotes) {
     EXPECT_EQ(complaint_of_row("\"a\"b,60,12,12,yes\n"), "slopes.csv:2:4: a comma has to follow the closing quotes");
 }
 
-// Whatever stands in a table, an answer or a complaint comes back.
+// Any table brings back either an answer or a complaint.
 TEST(DataTable, AnyTextIsReadOrRefused) {
     const std::string whole = std::string(header) + "\"a, \"\"b\"\"\",80.5,,0.5,no\n#\n,,,,\n";
     for (std::size_t length = 0; length <= whole.size(); ++length) {

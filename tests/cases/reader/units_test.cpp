@@ -80,7 +80,7 @@ TEST(Units, WhatIsWrongIsTold) {
               QuantityStatus::not_finite);
 }
 
-// Each of these is a unit for udunits2, and would change the value without a word.
+// udunits2 takes each of these for a unit, which would change the value without a word.
 TEST(Units, NothingHidesInAUnit) {
     for (const std::string_view text : {"30 2 m", "30 m 2", "30 m*2", "30 m.2", "30 m/2", "30 m @ 3", "30 (2) m"}) {
         EXPECT_EQ(status(text, Dimension::length), QuantityStatus::unknown_unit) << text;

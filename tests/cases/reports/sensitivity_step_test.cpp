@@ -45,7 +45,7 @@ std::size_t bars_in(const Drawn& drawn, Colour colour) {
 
 TEST(SensitivityStep, IsTheDeviationThatTheCaseGives) {
     const Drawn drawn = tornado_of("starting/support.toml");
-    // 3 deg less what the bounds of 25 and 50 deg cut off, to four digits.
+    // The step is 3 deg less what the bounds of 25 and 50 deg cut off, to four digits.
     EXPECT_TRUE(has_bar(drawn, "+3\u00a0deg") || has_bar(drawn, "+2.99")) << drawn.figure.y.ticks[0].second;
     EXPECT_FALSE(has_bar(drawn, "support[1].spacing") || has_bar(drawn, "spacing,")) << "it is chosen";
     EXPECT_EQ(bars_in(drawn, Colour::blue), 2U);  // friction angle and cohesion

@@ -1,4 +1,4 @@
-// The back-analysis of the 1967 failure: what the README says of it.
+// The back-analysis of the 1967 failure gives what the README says of it.
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/reader/ordinary_file.hpp"
 #include "cases/program/results/analysis.hpp"
@@ -61,17 +61,17 @@ TEST(Delabole1967, FrictionAndWaterAreNotDeterminedSeparately) {
     EXPECT_NE(data_alone(fit, "water.water_elevation").determination, Determination::determined);
 }
 
-// Steps into the slope are driven by water alone, so that the lightest mass fails first: the smallest that counts.
+// Water alone drives a mass on steps into the slope, so that the lightest one fails first: the smallest that counts.
 TEST(Delabole1967, SlidingOnCleavageNeedsHighWater) {
     const MechanismFit& fit = mechanism("stepped_sliding");
-    // A regression of the compromise between data and priors; three digits are what the README shows.
+    // This pins the compromise between data and priors to the three digits that the README shows.
     EXPECT_NEAR(fit.best[0], degrees(18.0), degrees(0.1));
     EXPECT_NEAR(fit.best[1], 146, 0.5);
     EXPECT_GT(fit.best[1], 475 * foot);  // two standard deviations of the prior above the average
     EXPECT_TRUE(leaves_unexplained(fit, "water.water_elevation"));
 }
 
-// Found, not put in: 14.4 m behind the crest and 899 m2 were observed.
+// The values are results, not inputs: 14.4 m behind the crest and 899 m2 were observed.
 TEST(Delabole1967, ColumnsAndWedgeLeaveNearlyTheSurfaceObserved) {
     const MechanismFit& fit = mechanism("stepped_toppling");
     const auto& outputs = problem_of_1967().mechanisms.front().model.outputs;
@@ -85,8 +85,8 @@ TEST(Delabole1967, ColumnsAndWedgeLeaveNearlyTheSurfaceObserved) {
     EXPECT_TRUE(leaves_unexplained(fit, "lower_steps is 1"));
 }
 
-// At 70 deg, where it was held before, the critical plane lies 3.8 m off the observed profile: what it explains hangs
-// on the angle of the face, which is the only one printed of this slope and is called undefined.
+// With the face held at 70 deg, as before, the critical plane lies 3.8 m off the observed profile: the fit depends on
+// the angle of the face, which is the only one printed of this slope and is called undefined.
 TEST(Delabole1967, CriticalSlidingLeavesTheSurfaceObservedBehindAFlatterFace) {
     const MechanismFit& fit = mechanism("critical_sliding");
     ASSERT_EQ(fit.status, FitStatus::converged);
@@ -94,7 +94,7 @@ TEST(Delabole1967, CriticalSlidingLeavesTheSurfaceObservedBehindAFlatterFace) {
     EXPECT_EQ(data_alone(fit, "water.water_elevation").determination, Determination::undetermined);
     EXPECT_EQ(data_alone(fit, "strength.friction_angle").determination, Determination::undetermined);
     EXPECT_EQ(data_alone(fit, "slope.face_dip").determination, Determination::determined);
-    // Regressions; three digits are what the README shows.
+    // These pin computed values to the three digits that the README shows.
     EXPECT_NEAR(fit.best[0], degrees(25.3), degrees(0.1));
     EXPECT_NEAR(fit.best[1], 130, 0.5);
     EXPECT_NEAR(fit.best[2], 214e3, 1e3);
@@ -112,9 +112,9 @@ TEST(Delabole1967, SlidingExplainsNoneOfTheMovementsAtTheCrest) {
     }
 }
 
-// Field evidence counts by what a mechanism predicts: every one parts from the rock behind the crest, none in limiting
-// equilibrium turns blocks there, and the wedge's is the only joint that moves behind it. The upper surface is one
-// joint where joints are the surface.
+// A mechanism is credited with the field evidence that it predicts: all open a crack at the crest, none in limiting
+// equilibrium turns blocks there, and only the joint of the wedge moves behind it. The upper surface follows one joint
+// where the surface consists of joints.
 TEST(Delabole1967, LimitEquilibriumPredictsOneCrackAtTheCrestAndNoMore) {
     for (const MechanismFit& fit : result_of_1967().mechanisms) {
         const std::vector<std::string> of_joints{"planar_upper_surface", "tension_crack_at_crest"};
@@ -124,7 +124,7 @@ TEST(Delabole1967, LimitEquilibriumPredictsOneCrackAtTheCrestAndNoMore) {
     EXPECT_TRUE(leaves_unexplained(mechanism("stepped_toppling"), "crest_cracks is 1"));
 }
 
-// Not the thesis's conclusion (2.4.2): toppling driven by wedges comes second.
+// The thesis concludes otherwise (2.4.2): here toppling driven by wedges comes second.
 TEST(Delabole1967, SlidingOnTheCriticalPlaneRanksFirstAndTopplingNeedsNoHighWater) {
     ASSERT_EQ(result_of_1967().mechanisms.size(), 3U);
     EXPECT_EQ(result_of_1967().mechanisms[0].name, "critical_sliding");
@@ -132,7 +132,7 @@ TEST(Delabole1967, SlidingOnTheCriticalPlaneRanksFirstAndTopplingNeedsNoHighWate
     const MechanismFit& fit = mechanism("stepped_toppling");
     ASSERT_EQ(fit.status, FitStatus::converged);
     EXPECT_FALSE(leaves_unexplained(fit, "water.water_elevation"));
-    // Regressions of the compromise between data and priors; three digits are what the README shows.
+    // These pin the compromise between data and priors to the three digits that the README shows.
     EXPECT_NEAR(fit.best[0], degrees(25.6), degrees(0.1));
     EXPECT_NEAR(fit.best[1], 130, 0.5);
     EXPECT_NEAR(fit.best[2], 9.08, 0.05);
@@ -145,14 +145,14 @@ TEST(Delabole1967, SlidingOnTheCriticalPlaneRanksFirstAndTopplingNeedsNoHighWate
     }
 }
 
-// The probabilities in the README of the case. With the angle of the face fitted the order of the mechanisms does not
-// depend on the priors; with 70 deg held it did.
+// These are the probabilities in the README of the case. With the angle of the face fitted the order of the mechanisms
+// does not depend on the priors; with 70 deg held it did.
 TEST(Delabole1967, WhichMechanismIsFirstDoesNotHangOnThePriors) {
     const auto& mechanisms = result_of_1967().mechanisms;
     for (const MechanismFit& fit : mechanisms) {
         ASSERT_TRUE(fit.posterior) << fit.name;
         EXPECT_EQ(fit.posterior->posterior.status, PosteriorStatus::converged) << fit.name;
-        // Columns have more parameters than data, and say so.
+        // The columns have more parameters than data, and a warning says so.
         EXPECT_EQ(fit.posterior->warnings.size(), fit.name == "stepped_toppling" ? 1U : 0U) << fit.name;
         EXPECT_LT(fit.posterior->evidence().standard_error, 0.02) << fit.name;
         EXPECT_EQ(fit.posterior->evidences.size(), 8U) << fit.name;
@@ -179,7 +179,7 @@ TEST(Delabole1967, WhichMechanismIsFirstDoesNotHangOnThePriors) {
     }
 }
 
-// Of 2.4.2. Half of it is for the slope in motion to say.
+// Half of the conclusions of 2.4.2 is for the slope in motion to decide.
 TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
     const std::vector<ConclusionFinding> findings = judge_conclusions(problem_of_1967(), result_of_1967());
     const auto finding = [&](const std::string& label) {
@@ -253,7 +253,7 @@ TEST(Delabole1967, TabledRunsAreWhatTheProgramPredicts) {
     expect_alike(read_case(folder + "sensitivity_blocks.toml").model, "sensitivity_blocks");
 }
 
-// Two accounts of the same uncertainty: the interval of the profile likelihood and that of the draws.
+// The interval of the profile likelihood and that of the draws measure the same uncertainty.
 TEST(Delabole1967, PosteriorAgreesWithTheProfileLikelihood) {
     for (const MechanismFit& fit : result_of_1967().mechanisms) {
         if (fit.name == "stepped_toppling") {

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-// Not there at first, and removed with all that is in it.
+// The folder does not exist at first, and is removed with everything in it.
 class Folder : public ::testing::Test {
   protected:
     Folder()
@@ -92,7 +92,7 @@ TEST_F(FolderClaimTest, NextResultTakesThePlaceOfTheEarlierAndOfNothingElse) {
     EXPECT_EQ(list.substr(list.find('\n') + 1), "history.csv\nreport.html\n");
 }
 
-// Only checkpoints' parts had been removed.
+// Formerly only the unfinished parts of checkpoints were removed.
 TEST_F(FolderClaimTest, NextResultRemovesWhatAKillLeftHalfWritten) {
     {
         FolderClaim claim(path());
@@ -133,7 +133,7 @@ TEST_F(FolderClaimTest, LeavesNothingWhereNothingWasWritten) {
     EXPECT_EQ(names(), (Names{"deeper", "deeper/relaxation.checkpoint", "notes.txt"}));
 }
 
-// A list may come from somebody else with the folder.
+// The folder, and with it the list, may come from somebody else.
 TEST_F(FolderClaimTest, RemovesNothingElsewhereWhateverItsListSays) {
     {
         FolderClaim claim(path());
@@ -171,7 +171,7 @@ TEST_F(FolderClaimTest, RefusesAFileThatIsNotItsList) {
         FolderClaim claim(path());
         claim.enter({"results.csv"});
     }
-    constexpr std::uintmax_t hundred_gigabytes = 100'000'000'000;  // of which the disk holds the first lines alone
+    constexpr std::uintmax_t hundred_gigabytes = 100'000'000'000;  // sparse: the disk holds only the first lines
     fs::resize_file(path() / "files.txt", hundred_gigabytes);
     EXPECT_NE(refusal().find("it is not a list of delabole's files"), std::string::npos) << refusal();
     fs::remove(path() / "files.txt");

@@ -25,12 +25,12 @@ std::set<std::string> keys_of(const CaseModel& model) {
     std::set<std::string> keys;
     for (const NamedOutput& output : analysis.outputs) {
         keys.insert(output.name);
-        // Not a number is a word of its own, and no key's text is empty.
+        // A missing number is reported by a word, and no text is empty.
         if (const auto* text = std::get_if<std::string>(&output.value)) {
             EXPECT_FALSE(text->empty()) << output.name;
         }
     }
-    // What JSON holds are those keys, with units.
+    // JSON holds the same keys, with units.
     EXPECT_EQ(json_of(analysis.outputs).size(), analysis.outputs.size());
     return keys;
 }
@@ -50,7 +50,7 @@ Model example() {
     return std::get<Model>(parse_case(template_case(Model::kind), "template").model);
 }
 
-// A check that no sentence explains would be told as a number out of its range.
+// A check that no sentence explains would be reported as a number out of its range.
 template <class Check, class Model>
 void expect_words_for_checks() {
     const std::string out_of_range = stated_impossibility(Model::kind, "input_out_of_range").words;
@@ -128,7 +128,7 @@ TEST(ResultKeys, BlockRow) {
     locked.interface.friction_angle = degrees(60);
     EXPECT_EQ(keys_of(answered), keys_of(locked));
     EXPECT_EQ(word(locked, "mode.SSP.critical_tilt"), "none");
-    // Of unequal blocks one row of three in fifty has no admissible mode.
+    // Among rows of three unequal blocks one in fifty has no admissible mode.
     BlockRow<> without_mode = answered;
     std::mt19937_64 random(5);
     const auto between = [&](double lower, double upper) {

@@ -49,8 +49,8 @@ std::string put(const std::string& text, const CaseValue& value, const std::stri
     return std::string(text).replace(value.begin, value.end - value.begin, by);
 }
 
-// The case with its value of another unit, name, no number, an empty list, missing and of the other sign; on demand a
-// thousandth and a thousand times as large, which may be a case with much work.
+// Returns the case with the value in another unit, as a name, NaN, an empty list, without its key and with the other
+// sign; on demand a thousandth and a thousand times as large, which may be a case with much work.
 std::vector<std::string> spoilt(const std::string& text, const CaseValue& value, bool of_any_size) {
     std::vector<std::string> made{put(text, value, "\"7 V\""), put(text, value, "\"no_such_name\""),
                                   put(text, value, "nan"), put(text, value, "[]"),
@@ -84,7 +84,7 @@ std::set<std::string> headers(const std::string& text) {
     return found;
 }
 
-// Without the sections of that header.
+// Removes the sections with that header.
 std::string without(std::string text, const std::string& header) {
     for (std::size_t at = text.find('\n' + header); at != std::string::npos; at = text.find('\n' + header, at)) {
         const std::size_t next = text.find("\n[", at + 1);
@@ -93,7 +93,7 @@ std::string without(std::string text, const std::string& header) {
     return text;
 }
 
-// Every answer that takes no time stepping.
+// Checks every answer that needs no time stepping.
 void expect_numbers(const CaseModel& model, const std::string& about) {
     for (const Quantity& input : named_inputs(model)) {
         EXPECT_TRUE(std::isfinite(input.value)) << about << ": " << input.name;
@@ -108,7 +108,7 @@ void expect_numbers(const CaseModel& model, const std::string& about) {
 }
 
 struct Slowest {
-    double seconds = 0;  // of the processor
+    double seconds = 0;  // processor time
     std::string about = {};
 };
 
@@ -132,13 +132,13 @@ void check(const std::string& text, const std::string& name, const std::string& 
     }
 }
 
-// What is read alike whatever the model is has one value checked for all of them.
+// Sections that are read alike for all models have one value checked for all of them.
 bool of_any_model(const std::string& path) {
     return std::ranges::any_of(std::array{"expect", "sources", "fit", "sensitivity", "title", "description", "schema"},
                                [&](std::string_view begin) { return path.starts_with(begin); });
 }
 
-// Fuzzing changes what it has changed before. At a bracket of the other kind in a list it went on for ever.
+// Fuzzing changes cases that it has changed before; a bracket of the other kind in a list once made the search endless.
 TEST(WrongValues, AreFoundInWhatIsNoTomlAsFarAsItCanBeFollowed) {
     EXPECT_EQ(CaseValues("a = [1, }\nb = 2\n").found().size(), 3U);
     EXPECT_EQ(CaseValues("a = {b = ]}\n").found().size(), 2U);
@@ -176,11 +176,11 @@ TEST(WrongValues, AreRefusedInWordsOrAnsweredInNumbers) {
     std::cout << checked << " cases with a wrong value; the slowest took " << slowest.seconds << " s: " << slowest.about
               << '\n';
     EXPECT_GT(checked, 1500U);
-    // Of processor time. More than a case takes under sanitizers, less than an engineer waits for a refusal.
+    // Processor time: a case takes less even under sanitizers, and an engineer would not wait longer for a refusal.
     EXPECT_LT(slowest.seconds, 10);
 }
 
-// A slope that cannot be cut has no blocks; what its bonds would hold together was looked for all the same.
+// A slope that cannot be cut has no blocks, but its bonds were once looked up all the same.
 TEST(WrongValues, OfASlopeWithBondsAreMistakesOfTheCase) {
     const std::filesystem::path path = std::filesystem::path(DELABOLE_CASES) / "relaxation/base_friction_slope.toml";
     for (const auto& [key, value] :

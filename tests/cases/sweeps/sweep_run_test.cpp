@@ -115,7 +115,7 @@ is = "falls"
     EXPECT_EQ(rows[1].verdict, Verdict::missed);
 }
 
-// At atan(b / a) of 45, 26.6 and 18.4 deg.
+// The curves meet at atan(b / a), which is 45, 26.6 and 18.4 deg.
 TEST(SweepRun, CrossingsFollowEach) {
     const SweepRun run = run_of(block_with(std::string(both_tilts) + R"toml(
 [[sweep.crossing]]
@@ -188,7 +188,7 @@ values = ["1 m", "2 m", "4 m"]
     EXPECT_EQ(json_of(run)[5]["block.width_m"], 4);
 }
 
-// What chapters 2 to 4 print and state, but for that which needs code.
+// The cases hold what chapters 2 to 4 print and state, except for what needs code.
 TEST(ThesisAsData, EveryCaseMeetsWhatItSays) {
     int statements = 0;
     for (const BuiltInCase& built_in : built_in_cases()) {
@@ -244,7 +244,7 @@ upper = "30 deg"
 tolerance = "0.005 deg"
 )toml";
 
-// Numbers of a case that are no inputs, as --set has them.
+// A sweep may change numbers of a case that are no inputs, as --set can.
 TEST(SweepRun, TakesOtherKeysOfTheCase) {
     const std::string sweep = R"toml(
 [[sweep]]

@@ -11,7 +11,7 @@ TEST(TimeLeft, IsWhatAnEvenPaceLeaves) {
     TimeLeft time;
     EXPECT_EQ(time.in_words(1, 0.01), "time left not known") << "of a single pace";
     for (int second = 2; second < 100; ++second) {
-        // Seconds are rounded up, what is a whole one but for rounding too.
+        // Seconds are rounded up, even those that only a rounding error has made more than a whole number.
         EXPECT_NEAR(std::stoi(time.in_words(second, second / 100.0)), 100 - second, 1);
     }
     TimeLeft long_work;
@@ -33,7 +33,7 @@ TEST(TimeLeft, IsNotKnownWhereThePaceHasChanged) {
     }
 }
 
-// A search that was quick to see where the answer lies and slow to find it: 65 % in 25 s, 0.04 % a second from then on.
+// This search soon saw where the answer lies and was slow to find it: 65 % in 25 s, then 0.04 % a second.
 TEST(TimeLeft, IsNotKnownAfterAJump) {
     TimeLeft time;
     for (int second = 5; second <= 25; second += 5) {

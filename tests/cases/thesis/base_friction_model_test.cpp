@@ -19,7 +19,7 @@ const BaseFrictionState& state_of(const std::vector<BaseFrictionState>& states, 
         states, [&](const BaseFrictionState& state) { return state.test == test && state.toe == toe; });
 }
 
-// Whether it has an edge on a level line.
+// Returns whether the block has an edge on that level line.
 bool touches(const RelaxationBlock& block, double level) {
     return std::ranges::count_if(block.outline, [&](const PlanePoint<>& corner) {
                return std::abs(corner.y() - level) < 1e-9;  // m, rounding
@@ -31,8 +31,8 @@ TEST(BaseFrictionModel, EveryStateIsCutIntoItsColumns) {
         const BaseFrictionGeometry g = geometry_of(state);
         const SlopeScene made = slope_scene(model_as_cut(g));
         EXPECT_EQ(made.check, SlopeCheck::valid) << state.test;
-        // Whole columns of an uncut model on its bottom, but for a triangle in a corner that has grown to its
-        // neighbour.
+        // The bottom of an uncut model consists of whole columns, but for a triangle in a corner that was merged with
+        // its neighbour.
         if (!g.cross_joint_spacing && !g.horizontal_cut && !g.saw_tooth) {
             const double bottom = -g.vertical_cut - g.depth;
             const double along = g.slope_surface + (g.slope_height - g.vertical_cut) / std::tan(g.slope_angle) +
@@ -48,7 +48,7 @@ TEST(BaseFrictionModel, EveryStateIsCutIntoItsColumns) {
         for (const RelaxationBlock& block : made.block) {
             area += block.fixed ? 0 : area_properties(block.outline).area;
         }
-        // By hand: the slope with its face, on the ground that reaches in front of it.
+        // The area by hand is that of the slope with its face, and of the ground that reaches in front of it.
         const double face_height = g.slope_height - g.vertical_cut;
         const double run = face_height / std::tan(g.slope_angle);
         const double expected = run * face_height / 2 + g.slope_surface * face_height +

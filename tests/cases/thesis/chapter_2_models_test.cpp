@@ -55,8 +55,8 @@ TEST(Chapter2Models, AreCasesInOrder) {
     EXPECT_THROW(slope_model("plate_9"), std::logic_error);
 }
 
-// A merged sliver closes the joint between its halves. Joint A of the toppling models must run through: the length of
-// faces along it is that of its traces in the section, on both sides, but for what is merged at the face.
+// A merged sliver closes the joint between its halves. Joint A of the toppling models must run through: the faces along
+// it are as long, on both sides, as its traces in the section, but for what is merged at the face.
 TEST(Chapter2Models, JointARunsThrough) {
     RelaxationStudy study = slope_model("plate_2_iii");
     const SlopeScene scene = slope_scene(slope_of(study));
@@ -70,12 +70,12 @@ TEST(Chapter2Models, JointARunsThrough) {
     // Joint A through the toe and every 50 mm behind it; section of 400 by 343 mm with a face of 60 deg.
     double traces = 0;
     for (double foot = 0.05 / std::sin(degrees(70)); foot < 0.4; foot += 0.05 / std::sin(degrees(70))) {
-        // It comes out in the face, at the top or at the back.
+        // The trace ends in the face, at the top or at the back.
         const double at_face = foot / (1 / std::tan(degrees(60)) - 1 / std::tan(degrees(70)));
         const double at_back = (0.4 - foot) * std::tan(degrees(70));
         traces += std::min({at_face, 0.343, at_back}) / std::sin(degrees(70));
     }
-    // Half a per cent of it at the face.
+    // What is merged at the face is half a per cent.
     EXPECT_NEAR(faces / 2, traces, 0.005 * traces);
 }
 
@@ -136,12 +136,12 @@ TEST(RankCorrelation, IsExactForFewValues) {
     const std::vector<double> values = {1, 2, 3, 4, 5};
     const RankCorrelation rising = rank_correlation(values, {0.1, 0.2, 7, 8, 100});
     EXPECT_NEAR(rising.value, 1, 1e-12);
-    // Two of the 120 orders are as strong: up and down.
+    // Two of the 120 orders are as strongly correlated: up and down.
     EXPECT_NEAR(rising.significance, 2.0 / 120, 1e-12);
     // 1 - 6 sum d^2 / (n (n^2 - 1)), d = (0, 0, 0, 1, -1).
     const RankCorrelation nearly = rank_correlation(values, {-5, -4, -3, -1, -2});
     EXPECT_NEAR(nearly.value, 0.9, 1e-12);
-    // The four swaps of neighbours too, and all of them backwards.
+    // The order itself, the four swaps of neighbours, and these five backwards are at least as strongly correlated.
     EXPECT_NEAR(nearly.significance, 10.0 / 120, 1e-12);
     EXPECT_NEAR(rank_correlation(values, {5, 4, 3, 2, 1}).value, -1, 1e-12);
     const RankCorrelation constant = rank_correlation(values, {2, 2, 2, 2, 2});

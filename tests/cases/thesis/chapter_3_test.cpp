@@ -68,7 +68,7 @@ TEST_F(Chapter3, TablesMeetTheText) {
 
 TEST_F(Chapter3, CrackPathOfARunBesideThePrintedOne) {
     const Reproduction result = reproduce("base_friction");
-    // Of a chaotic run: half an inch more or less in one column turns the path by 4 deg.
+    // The run is chaotic: half an inch more or less in one column turns the path by 4 deg.
     EXPECT_NEAR(result.json["crack_path_deg"]["15(L)"].get<double>(), 24, 5);
     EXPECT_EQ((result.rows.end() - 5)->remark.verdict, RowVerdict::not_met);
     EXPECT_TRUE(holds(path(), "end", "Table 3.2, 15(L): After"));
@@ -90,11 +90,11 @@ TEST_F(Chapter3, SlopeHeight) {
 
 TEST_F(Chapter3, EqualColumns) {
     const Json json = reproduce("fig3.6").json;
-    // Three steps at each of eight heights; none loses stability.
+    // A column is added three times at each of eight heights; none of these steps loses stability.
     EXPECT_EQ(json["one_column_more"]["steps"], 24);
     EXPECT_EQ(json["one_column_more"]["less_stable"], 0);
     EXPECT_GE(json["one_column_more"]["stabler"].get<int>(), 22);
-    // Rounding of closed forms, in degrees.
+    // The closed forms are rounded, in degrees.
     EXPECT_LT(json["parted_spread_deg"].get<double>(), 1e-10);
     // Columns of 2 and 3 inches topple at 26.6 and 18.4 deg, both beyond the friction of tin.
     EXPECT_EQ(json["heights_that_slide_on_tin"], 2);
@@ -106,7 +106,7 @@ TEST_F(Chapter3, NineColumnsCrackWhereTheyDid) {
     EXPECT_EQ(json["crack"], "6 and 7");
     // The friction is a root to full precision, the tilt a closed form of it.
     EXPECT_NEAR(json["tilt_deg"]["9"].get<double>(), 16, 1e-9);
-    // Among the frictions that the thesis measured as short slips (8 to 22 deg).
+    // The friction is among those that the thesis measured as short slips (8 to 22 deg).
     EXPECT_GT(json["friction_deg"].get<double>(), 16);
     EXPECT_LT(json["friction_deg"].get<double>(), 22);
     EXPECT_TRUE(all_met(json["one column more"]));

@@ -107,7 +107,7 @@ TEST_F(Chapter4, AThirdBlockAddsStabilityInContactOnly) {
     EXPECT_FALSE(derived_equals_printed("(19) FFPB, μ = c = tan 30"));
 }
 
-// Text, table of what is printed and figures of an item that is data (tests of its numbers: sweep_run_test.cpp).
+// An item that is data has its text, its table and its figures (sweep_run_test.cpp tests its numbers).
 TEST_F(Chapter4, DataItemsAreDrawn) {
     const Reproduction result = reproduce("fig4.4");
     ASSERT_EQ(result.rows.size(), 1U);
@@ -117,7 +117,7 @@ TEST_F(Chapter4, DataItemsAreDrawn) {
     }
 }
 
-// By the crossings of a ray along +x.
+// Counts the crossings of a ray along +x.
 bool lies_inside(const Polyline& outline, const Point& point) {
     bool inside = false;
     for (std::size_t index = 0; index < outline.size(); ++index) {

@@ -40,8 +40,8 @@ TEST_F(Chapter5, SingleBlocks) {
     EXPECT_NEAR(json["period_ratio_18.15_to_18.1"].get<double>(), 2, 0.25);
     EXPECT_GT(json["amplitude_ratio_18.15_to_18.1"].get<double>(), 1.3);
     EXPECT_LT(json["greatest_amplitude_ratio"].get<double>(), 1.75);
-    // The clean engine: dropped, it rocks past its limit from 18.12 deg on, so that only the run at 18.15 deg differs
-    // from the printed; preloaded, it stands below 18.43 deg, whatever fails there in the thesis.
+    // With the clean engine a dropped block rocks past its limit from 18.12 deg on, so that only the run at 18.15 deg
+    // differs from the printed one; a consolidated block stands below 18.43 deg, whatever fails there in the thesis.
     const Json& dropped = json["outcomes_by_scheme"]["clean engine, dropped"]["single block"];
     for (const auto& [name, outcome] : dropped.items()) {
         EXPECT_EQ(outcome["agrees"].get<bool>(), name != "18.15 deg") << name;
@@ -49,7 +49,7 @@ TEST_F(Chapter5, SingleBlocks) {
     for (const Json& outcome : json["outcomes_by_scheme"]["clean engine, preloaded"]["single block"]) {
         EXPECT_EQ(outcome["computed"].get<std::string>(), "stands");
     }
-    // The base turned, which lifts the block: every printed outcome.
+    // Turning the base, which lifts the block, gives every printed outcome.
     EXPECT_TRUE(all_agree(json["outcomes_by_scheme"]["clean engine, preloaded"]["single block, base turned"]));
 }
 
@@ -57,7 +57,7 @@ TEST_F(Chapter5, CleanThresholds) {
     const Json json = reproduce("thresholds").json;
     // Bisected to 0.002 deg.
     EXPECT_LT(json["farthest_from_law_deg"].get<double>(), 0.002);
-    // No knob of the integration changes where a preloaded block fails; the step does not where it is dropped.
+    // No integration setting changes where a consolidated block fails, nor does the step where a dropped one fails.
     EXPECT_LT(json["preloaded_spread_deg"].get<double>(), 0.002);
     EXPECT_LT(json["dropped_spread_by_step_deg"].get<double>(), 0.004);
     const Json& by_stiffness = json["threshold_deg"];
@@ -72,7 +72,7 @@ TEST_F(Chapter5, CleanThresholds) {
     EXPECT_NEAR(by_stiffness["1000e6"]["two_preloaded"].get<double>(), 18.629, 0.03);
     double last = 0;
     for (const Json& one : by_stiffness) {
-        EXPECT_GT(one["two_dropped"].get<double>(), last);  // stiffer stands longer
+        EXPECT_GT(one["two_dropped"].get<double>(), last);  // stiffer blocks stand longer
         last = one["two_dropped"].get<double>();
     }
 }
@@ -84,7 +84,7 @@ TEST_F(Chapter5, TwoBlocks) {
     EXPECT_EQ(tilted.size(), 6U);
     EXPECT_TRUE(all_agree(tilted));
     EXPECT_LT(json["gravity_turned"]["two blocks"]["agree"].get<int>(), 6);
-    // "A micro crack was discovered": closed to a thousandth of what it was, and the blocks part all the same.
+    // "A micro crack was discovered": it closes almost completely, and the blocks part all the same.
     const Json gap = json["closed_gap"];
     EXPECT_LT(std::abs(gap["opening_after_in"].get<double>()), 0.01 * gap["opening_before_in"].get<double>());
     EXPECT_GT(gap["parted_in"].get<double>(), gap["opening_before_in"].get<double>());
@@ -127,10 +127,10 @@ TEST_F(Chapter5, ObservationsOnTwoBlocks) {
     for (const Json& one : shifted) {
         EXPECT_GE(one["usable"].get<int>(), 10);
     }
-    // Half the step takes more than twice the cycles from most starts; the order of the dampings comes from none.
+    // Half the step takes more than twice the cycles from most starts; no start gives the order of the dampings.
     EXPECT_GT(2 * shifted["half_step"]["held"].get<int>(), shifted["half_step"]["usable"].get<int>());
     EXPECT_EQ(shifted["damping"]["held"].get<int>(), 0);
-    // 7000 cycles are far outside what starts give.
+    // The printed 7000 cycles are far outside what starts give.
     EXPECT_LT(json["spread"]["6e6 N/m, step 1e-4 s"][1].get<int>(), 3500);
 }
 
@@ -138,7 +138,7 @@ TEST_F(Chapter5, BlowOut) {
     const Json json = reproduce("fig5.13").json;
     // The blocks pass their critical inclination then; the start moves it by some cycles.
     EXPECT_NEAR(json["cycle"].get<double>(), 677, 10);
-    // Half of 7 in less 1 in, but for the rise of the foot, 0.002 in at 0.13 deg.
+    // The jump is half of the difference between 7 in and 1 in, but for the rise of the foot, 0.002 in at 0.13 deg.
     EXPECT_NEAR(std::abs(json["jump_in"].get<double>()), 3, 0.005);
     EXPECT_TRUE(json["blows_out"]["as listed"].get<bool>());
     EXPECT_FALSE(json["blows_out"]["without the guard"].get<bool>());
@@ -172,7 +172,7 @@ TEST(Chapter5Tables, PrintedRowsAddUpToPrintedTotals) {
             }
         }
         for (std::size_t block = 0; block < sums.size(); ++block) {
-            // The thesis's own total there is one less than its rows.
+            // The thesis's own total there is one less than the sum of its rows.
             const int misprint = run.name == "Table 5.3" && block == 2 ? 1 : 0;
             EXPECT_EQ(sums[block].forward, run.printed_totals[block].forward + misprint) << run.name << ' ' << block;
             EXPECT_EQ(sums[block].backward, run.printed_totals[block].backward) << run.name << ' ' << block;
@@ -191,13 +191,13 @@ TEST_F(Chapter5, FourBlocks) {
     for (const Json& cycle : json["first_different_print"]) {
         EXPECT_GT(cycle.get<int>(), 0);
     }
-    // The clean engine's histories do not hang on the last bit, so the senses are its answer: nineteen of twenty.
+    // The clean engine's histories do not depend on the last bit, so its senses are its answer: nineteen of twenty.
     for (const Json& cycle : json["first_different_print_of_clean"]) {
         EXPECT_EQ(cycle.get<int>(), 0);
     }
     EXPECT_GE(json["clean_senses_as_printed"].get<int>(), 18);
-    // Printed rows agree with those of many starts more than by chance, and in all tables but 5.3 as these agree with
-    // one another.
+    // Printed rows agree with those of many starts more than by chance and, except in Table 5.3, as well as these agree
+    // with one another.
     ASSERT_EQ(json["histories"].size(), 5U);
     for (const auto& [table, history] : json["histories"].items()) {
         EXPECT_GT(history["mean"].get<double>(), history["by_chance"].get<double>() + 0.05) << table;

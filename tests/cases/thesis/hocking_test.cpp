@@ -51,8 +51,8 @@ TEST(Hocking, FreeSlideFollowsTheEquationOfMotion) {
             .dot(down);
     };
     const double acceleration = 9.81 * (std::sin(degrees(25)) - std::tan(degrees(10)) * std::cos(degrees(25)));
-    // Between cycles 500 and 1000, as second difference: what the start left as speed drops out. Ripples of the normal
-    // spring, of 1e-6 m, over an increase of 6 mm.
+    // The second difference between cycles 500 and 1000 removes the speed that the start left. Ripples of the normal
+    // spring are 1e-6 m, over an increase of 6 mm.
     const double time = 500 * 1e-4;
     const double measured = (travelled(10) - 2 * travelled(5) + travelled(0)) / (time * time);
     EXPECT_NEAR(measured / acceleration, 1, 5e-3);
@@ -73,8 +73,8 @@ TEST(Hocking, FreeRotationKeepsItsEnergy) {
     const HockingBlockState& late = result.prints.back().blocks[0];
     ASSERT_GT(late.angle, degrees(10));
     const double lost = 9.81 * (early.centroid.y() - late.centroid.y());
-    // Velocity and position are known half a step apart: the weight times that way, g v step / 2 with v = 0.1 m/s at
-    // the end, is 0.3 % of the energy gained.
+    // Velocity and position are known half a step apart: the work of the weight over that distance, g v step / 2 with v
+    // = 0.1 m/s at the end, is 0.3 % of the energy gained.
     EXPECT_NEAR((kinetic(late) - kinetic(early)) / lost, 1, 3e-3);
 }
 
@@ -149,7 +149,7 @@ TEST(Hocking, BlowOutIsADifferenceOfOverlapsOfTwoFaces) {
     EXPECT_EQ(change.from, HockingFace::positive_side);
     EXPECT_EQ(change.to, HockingFace::negative_end);
 
-    // The conditions, in the cycle before: a corner within the guard, left of the vertical; the toe between.
+    // In the cycle before, a corner is within the guard and left of the vertical, and the toe lies between.
     const std::vector<HockingBlock> blocks = make_blocks(one.columns);
     const HockingPrint& before = result.prints[static_cast<std::size_t>(change.cycle) - 1];
     const double centroid = before.blocks[1].centroid.x();
@@ -162,7 +162,7 @@ TEST(Hocking, BlowOutIsADifferenceOfOverlapsOfTwoFaces) {
 
     const double half_width = one.columns.width / 2;
     const double half_height = one.columns.heights[0] / 2;
-    // Nothing of note happens: an overlap below W / k = 4e-6 m, and a foot risen by width times 0.13 deg, 6e-5 m.
+    // The other lengths are small: an overlap below W / k = 4e-6 m, and a foot risen by width times 0.13 deg, 6e-5 m.
     EXPECT_GT(half_width - change.stored_position, 0);
     EXPECT_LT(half_width - change.stored_position, 4e-6);
     EXPECT_GT(half_height - change.new_position, 0);
@@ -194,7 +194,7 @@ TEST(Hocking, WithoutTheGuardOrWithSlotsPerFaceNothingBlowsOut) {
     EXPECT_GT(blown_out, 10);
 }
 
-// Where corners meet exactly no face is right, and the slot alone is enough.
+// Where corners meet exactly no face is the right one, and the shared slot alone makes the run blow out.
 TEST(Hocking, CornersThatMeetExactlyBlowOutWithoutTheGuardToo) {
     Chapter5Run one = chapter_5_runs("blow_out").front();
     one.settings.crossing_guard = 0;
@@ -233,7 +233,7 @@ TEST(Hocking, HistoriesAreChaotic) {
     const HockingResult second = run_hocking(perturbed(blocks, 1e-15, 1), one.settings);
     const auto angle = [](const HockingResult& result) { return result.prints.back().blocks[1].angle; };
     EXPECT_GT(std::abs(angle(first) - angle(second)), 1e-6);
-    // And the same start gives the same bits.
+    // The same start gives the same bits.
     const HockingResult again = run_hocking(blocks, one.settings);
     EXPECT_EQ(angle(first), angle(again));
 }
@@ -265,7 +265,7 @@ TEST(Hocking, ColumnsOnASteppedBase) {
             continue;
         }
         EXPECT_EQ(result.outcome, HockingOutcome::fails);
-        // Columns 2 to 5 topple by degrees, the others by what the springs give way.
+        // Columns 2 to 5 topple by some degrees, the others only turn as far as the springs give way.
         for (const std::size_t column : {1U, 2U, 3U, 4U}) {
             EXPECT_GT(rotation(column), degrees(1.5));
         }

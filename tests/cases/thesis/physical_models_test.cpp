@@ -1,4 +1,4 @@
-// The tables of the thesis typed in: each against the others and against what the text says of them.
+// The tables of the thesis, typed in, agree with each other and with what the text says of them.
 #include "cases/program/thesis/physical_models.hpp"
 
 #include "cases/program/reader/case_error.hpp"
@@ -160,7 +160,7 @@ TEST(PhysicalModels, TimesThatDifferAreMarked) {
         if (state.toe == ToeChange::as_built && test.crack_time_from != state.crack_time_from) {
             EXPECT_FALSE(state.doubt.empty() && test.doubt.empty()) << state.test;
         }
-        // A change is made during the test: what follows it is shorter than the whole.
+        // The change is made during the test, so that what follows it is shorter than the whole.
         EXPECT_TRUE(!test.crack_time_to || *state.crack_time_from <= *test.crack_time_to || !state.doubt.empty())
             << state.test;
     }

@@ -17,7 +17,7 @@ TEST(TiltingRuns, WornEdgesMakeAColumnNarrower) {
     const double narrower = std::atan((1 - 2 * wear) / 3);
     EXPECT_GT(tilt, narrower - degrees(0.01));  // springs of a draft give way by 1e-4 rad
     EXPECT_LT(tilt, narrower + late);
-    // Cubes one upon the other, in line, are one column.
+    // Cubes stacked in line act as one column.
     EXPECT_NEAR(critical_tilt(WornColumn{3, true, wear, 0, 1}).value(), narrower + late / 2, late);
 }
 
@@ -28,7 +28,7 @@ TEST(TiltingRuns, NeighboursHelpAndNineColumnsCrackBehindTheSixth) {
     };
     EXPECT_NEAR(tilt_of(1), std::atan(0.2) + late / 2, late);
     EXPECT_GT(tilt_of(2), tilt_of(1) + degrees(1));
-    // As limit equilibrium has it at 20 deg of friction everywhere.
+    // Limit equilibrium with 20 deg of friction everywhere gives the same.
     const FrameRow nine{{1, 2, 3, 4, 5, 4, 3, 2, 1}, {degrees(20), degrees(20), 0}, 1};
     const FrameFailure failure = tilt_until_failure(nine).value();
     EXPECT_NEAR(failure.crack_tilt, degrees(16), late);
