@@ -1,4 +1,4 @@
-// Functions with known sensitivities, and what it takes to evaluate them.
+// Functions with known sensitivities, and a study that evaluates them.
 #pragma once
 
 #include "fitting/probability/dependence.hpp"

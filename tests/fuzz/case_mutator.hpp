@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-// libFuzzer's own changes, of bytes.
+// This is libFuzzer's own mutator, which changes bytes.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
 namespace delabole::fuzzing {
@@ -68,7 +68,7 @@ class CaseMutator {
         text_.replace(value.begin, value.end - value.begin, by);
     }
 
-    // Keeps the unit.
+    // Changes the number and keeps its unit.
     void change_number(const testing::CaseValue& value) {
         constexpr std::array<double, 12> factors{-1, 0, 0.5, 0.9, 1.1, 2, 10, 1e3, 1e6, 0.1, 1e-3, 1e-6};
         const std::size_t first = text_.find_first_of("0123456789", value.begin);
@@ -87,7 +87,7 @@ class CaseMutator {
         text_.replace(first, static_cast<std::size_t>(end - begin), std::string(digits.data(), written.ptr));
     }
 
-    // A section from its header on, or some lines.
+    // Returns the range of a section from its header on, or of some lines.
     std::pair<std::size_t, std::size_t> lines() {
         std::vector<std::size_t> begins{0};
         for (std::size_t at = text_.find("\n["); at != std::string::npos; at = text_.find("\n[", at + 1)) {

@@ -1,4 +1,4 @@
-// Compiled without coverage: it speaks of it.
+// This file is compiled without coverage, since it handles the counters.
 #include "coverage.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 // The names are the linker's and clang's.
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 
-// How often each piece of code was reached.
+// These counters say how often each piece of code was reached.
 extern "C" std::uint8_t __start___sancov_cntrs[];
 extern "C" std::uint8_t __stop___sancov_cntrs[];
 
@@ -19,9 +19,9 @@ void forget_what_was_reached() {
 
 }  // namespace delabole::fuzzing
 
-// Calls by which instrumented code tells libFuzzer what it compares, which the linker sends here (--wrap), to do
-// nothing: they took two thirds of the time of a case. Bytes guessed from compares are for formats; cases are changed
-// by value.
+// Instrumented code reports what it compares to libFuzzer by these calls. The linker sends them here (--wrap), where
+// they do nothing: they took two thirds of the time of a case. Bytes guessed from compares are for formats; cases are
+// changed by value.
 #define UNTRACED extern "C" void
 UNTRACED __wrap___sanitizer_cov_trace_cmp1(std::uint8_t, std::uint8_t) {}
 UNTRACED __wrap___sanitizer_cov_trace_cmp2(std::uint16_t, std::uint16_t) {}

@@ -94,7 +94,7 @@ class Drawing {
     FuzzedDataProvider& data_;
 };
 
-// Leaves out what would take too long: the cutter's own limit is `most_slope_blocks`.
+// Sections that would take too long are left out: the cutter's own limit is `most_slope_blocks`.
 bool too_fine(const delabole::SlopeGeometry& geometry) {
     double size = 0;
     for (const delabole::SectionPoint& point : geometry.outline) {

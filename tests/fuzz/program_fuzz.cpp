@@ -24,15 +24,15 @@ namespace {
 
 using delabole::CaseModel;
 
-// How much of its work a case is allowed.
+// Limits the work that a case may make.
 struct Allowance {
     double blocks = 40;
     double steps = 40;
-    int runs = 4;            // of a search, with the one at the case's own values
-    bool equations = false;  // of a static start, else all loads come suddenly; of a bound by linear programming
+    int runs = 4;            // of a search, including the one at the case's own values
+    bool equations = false;  // a static start, else all loads come suddenly; a bound by linear programming
 };
 
-// Decided by the bytes of the case, so that it is the same whenever the case is run.
+// The bytes of the case decide, so that the allowance is the same whenever the case is run.
 Allowance allowance_of(std::string_view text) {
     constexpr std::uint64_t lots = 32;
     const std::uint64_t lot = delabole::fnv_1a(text) % lots;
@@ -63,7 +63,7 @@ struct Counts {
 
 Counts counts;
 
-// False where nothing limits the work to milliseconds: such a case is checked, but not run.
+// Returns false where nothing limits the work to milliseconds: such a case is checked, but not run.
 bool limit_work(CaseModel& model, const Allowance& allowed) {
     if (auto* study = std::get_if<delabole::RelaxationStudy>(&model)) {
         auto& settings = study->settings ? *study->settings : study->settings.emplace();
@@ -92,7 +92,7 @@ void require(bool kept, std::string_view promise, const std::string& about) {
 
 void run(const delabole::CaseFile& file, const Allowance& allowed) {
     delabole::AnalysisWork work;
-    int looks = 0;  // the first of each run is before its first step
+    int looks = 0;  // a run asks first before its first step
     work.watch = [&](double, const std::string&, bool) { return ++looks <= allowed.runs; };
     const delabole::Analysis analysis = analyse_model(file.model, work);
     if (!analysis.failure.empty()) {
@@ -124,7 +124,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     const Allowance allowed = allowance_of(text);
     try {
-        // In a folder with the files that shipped cases name.
+        // This folder holds the files that shipped cases name.
         delabole::CaseFile file = delabole::parse_case(text, DELABOLE_CASES "/relaxation/fuzz.toml");
         const bool is_limited = limit_work(file.model, allowed);
         try {

@@ -23,7 +23,7 @@ FitProblem failure_problem() {
                             {observe("factor_of_safety", 1, 0.05)});
 }
 
-// Three parameters, a curved misfit, failures in a corner, an inequality and a profile.
+// The problem has three parameters, a curved misfit, failures in a corner, an inequality and a profile.
 FitProblem rough_problem() {
     const ModelInterface model =
         formula_model(3, {"factor_of_safety", "depth"}, [](std::span<const double> x) -> Prediction {
@@ -197,7 +197,7 @@ TEST(BackAnalysis, AcceptsAnEmptyProblem) {
     EXPECT_EQ(result.profiles[0].determination, Determination::undetermined);
 }
 
-// A single block overturns at 18.4 deg, whatever the friction, unless that is less.
+// A single block overturns at 18.4 deg whatever its friction, unless it slides earlier.
 TEST(BackAnalysis, AFlatBestPointIsNotTheWholeRange) {
     const ModelInterface model =
         formula_model(1, {"critical_tilt"}, [](std::span<const double> x) { return answer({std::min(x[0], 18.4)}); });

@@ -79,7 +79,7 @@ TEST(ProfileLikelihood, IsSortedAndHoldsTheBestValue) {
 }
 
 TEST(ProfileLikelihood, IsUndeterminedAlongTheFailureLine) {
-    // FS = 1 along x2 = 2 x1 - 1: x1 from 0.5 to 1 has an exact answer, x2 everywhere.
+    // FS = 1 holds along x2 = 2 x1 - 1: every x1 from 0.5 to 1 and every x2 has an exact answer.
     const FitProblem problem =
         test::problem_of(test::linear_safety(), {test::free_parameter("x1", 0, 1), test::free_parameter("x2", 0, 1)},
                          {observe("factor_of_safety", 1, 0.05)});

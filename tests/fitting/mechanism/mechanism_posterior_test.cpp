@@ -48,7 +48,7 @@ FitProblem linear_problem() {
                                      {observe("factor_of_safety", 1, 0.1)}));
 }
 
-// Of the linear safety with those priors: FS has mean 0.6 + 0.4 = 1 and variance 0.64 + 0.04; the bounds cut off 1e-7.
+// With those priors the linear FS has mean 0.6 + 0.4 = 1 and variance 0.64 + 0.04; the bounds cut off 1e-7.
 double linear_evidence(double prior_factor, double model_error) {
     const double variance = 0.68 * square(prior_factor) + square(model_error);
     return std::log(model_error / std::sqrt(variance));
@@ -61,13 +61,13 @@ TEST(MechanismPosterior, EvidenceOfEachVariantIsThatOfTheTextbook) {
         const auto place = std::find_if(found.evidences.begin(), found.evidences.end(),
                                         [&](const VariantEvidence& one) { return one.variant == variant; });
         ASSERT_NE(place, found.evidences.end());
-        // 4.1 of Student's distribution with 15 degrees has probability 0.001.
+        // Student's distribution with 15 degrees of freedom exceeds 4.1 with probability 0.001.
         EXPECT_NEAR(place->evidence.log_evidence, expected, 4.1 * place->evidence.standard_error) << word_of(variant);
         EXPECT_LT(place->evidence.standard_error, 0.05) << word_of(variant);
     };
     expect(EvidenceVariant::as_given, linear_evidence(1, 0.1));
     expect(EvidenceVariant::priors_halved, linear_evidence(0.5, 0.1));
-    // Both means by one deviation: the factor of safety by 0.8 of 1 less 0.4 of 0.5, its variance as it was.
+    // Both means move by one deviation: the factor of safety by 0.8 of 1 less 0.4 of 0.5; its variance stays.
     const double moved = linear_evidence(1, 0.1) - square(0.6) / (2 * (0.68 + 0.01));
     expect(EvidenceVariant::prior_means_lower, moved);
     expect(EvidenceVariant::prior_means_higher, moved);
@@ -175,7 +175,7 @@ TEST(MechanismPosterior, PriorsThatLeaveNothingBetweenTheBoundsAreFaults) {
 
 TEST(MechanismPosterior, FitRanksByEvidenceAndNamesWhatNothingDependsOn) {
     FitProblem problem = linear_problem();
-    // The same with a parameter that must be tuned far more closely, and one without effect.
+    // The rival has a parameter that must be tuned far more closely, and one without effect.
     problem.mechanisms.push_back(test::mechanism(
         "tuned", "Tuned",
         formula_model(2, {"factor_of_safety"}, [](std::span<const double> x) { return answer({1 + 10 * x[0]}); }),
@@ -189,7 +189,7 @@ TEST(MechanismPosterior, FitRanksByEvidenceAndNamesWhatNothingDependsOn) {
     // Both fit exactly; the tuned one leaves a share 0.1 / 10 of its prior, ln(0.01), the other ln(0.1 / 0.83).
     EXPECT_NEAR(result.mechanisms[0].posterior->log_evidence() - tuned.posterior->log_evidence(),
                 linear_evidence(1, 0.1) - std::log(0.1 / std::sqrt(100.01)), 0.1);
-    // What the data do not touch keeps its prior.
+    // A parameter that the data do not touch keeps its prior.
     EXPECT_NEAR(tuned.posterior->posterior.parameters[1].standard_deviation, 1, 0.1);
 }
 
@@ -207,7 +207,7 @@ TEST(Comparison, ProbabilitiesAndTheirErrors) {
     EXPECT_NEAR(weights[1].probability, 0.25, 1e-12);
     EXPECT_EQ(weights[2].probability, 0);
     EXPECT_NEAR(weights[1].log_bayes_factor, -std::log(3.0), 1e-12);
-    // p (1 - p) times the error of the difference, the same for both.
+    // The error is p (1 - p) times that of the difference, the same for both.
     EXPECT_NEAR(weights[0].standard_error, 0.1875 * std::sqrt(0.05), 1e-12);
     EXPECT_NEAR(weights[1].standard_error, 0.1875 * std::sqrt(0.05), 1e-12);
     EXPECT_EQ(weigh(std::vector<LogEvidence>{{nothing, 0}})[0].probability, 0);

@@ -119,7 +119,7 @@ TEST(Misfit, CountsTheScatterOfAnEnsembleAsItsDensitySays) {
     problem.profile = ProfileObservation{{Point(0, 0), Point(50, 0), Point(100, 0)}, 2.0, "test"};
     const Misfit misfit(problem.mechanisms[0], problem);
     const std::vector<double> at{6};
-    // Deviations 5 and root of 5; an inequality is no density.
+    // The deviations are 5 and the root of 5; an inequality is no density.
     const double fit = 2 * 1 + 3 * 4 / 5.0;
     const double cost = std::log(25 / 9.0) + 3 * std::log(5 / 4.0);
     EXPECT_NEAR(misfit.parts(at).data, fit + cost, 1e-12);

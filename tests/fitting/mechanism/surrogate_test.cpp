@@ -56,7 +56,7 @@ TEST(Surrogate, GivesTheSameFitAsTheModel) {
     EXPECT_FALSE(exact.surrogate);
     EXPECT_LE(near.evaluations.total, 60);
     EXPECT_EQ(near.evaluations.total, static_cast<long>(near.surrogate->runs.size()));
-    // The priors' standard deviations are 0.2 and 0.3: a twentieth of them.
+    // The tolerance is a twentieth of the priors' standard deviations, 0.2 and 0.3.
     EXPECT_NEAR(near.best[0], exact.best[0], 0.01);
     EXPECT_NEAR(near.best[1], exact.best[1], 0.015);
     EXPECT_NEAR(near.misfit, exact.misfit, 0.05);
@@ -77,8 +77,8 @@ TEST(Surrogate, ScatterOfTheRunsWidensTheAnswer) {
     const FitResult smooth = fit(curved_problem(true));
     const FitResult rough = fit(curved_problem(true, 1.5));
     ASSERT_TRUE(only(rough).surrogate);
-    // 1.5 of an output that was observed to 0.5: three standard deviations of the data. Sixty runs tell it to a
-    // fifth.
+    // The scatter is 1.5 of an output that was observed to 0.5: three standard deviations of the data. Sixty runs tell
+    // it to a fifth.
     EXPECT_NEAR(only(rough).surrogate->scatter, 3, 1);
     EXPECT_LT(only(smooth).surrogate->scatter, 0.3);
     EXPECT_GT(only(rough).posterior->posterior.parameters[0].standard_deviation,
@@ -123,7 +123,7 @@ TEST(Surrogate, HopelessPointsAreLeftToTheCoarseModel) {
     const MechanismFit alone = only(fit(problem));
     const auto model = problem.mechanisms[0].model.predict;
     problem.mechanisms[0].coarse = problem.mechanisms[0].model;
-    // Wrong by a standard deviation of the datum.
+    // The coarse model is wrong by a standard deviation of the datum.
     problem.mechanisms[0].coarse->predict = [model](std::span<const Assignment> assignments) {
         Prediction prediction = model(assignments);
         prediction.outputs[0] += 0.5;
@@ -180,7 +180,7 @@ TEST(Surrogate, GivesUpWhereAnotherMechanismIsOutOfReach) {
     EXPECT_EQ(fit(problem).mechanisms[1].surrogate->runs.size(), alone.surrogate->runs.size());
 }
 
-// It stands or it collapses: what was observed lies between, and a smooth function crosses it.
+// The model stands or collapses: the observation lies between the two, and a smooth function crosses it.
 TEST(Surrogate, AJumpDeterminesNothing) {
     ModelInterface model = formula_model(1, {"displacement"},
                                          [](std::span<const double> x) { return answer({x[0] < 0.4567 ? 1.6 : 0.0}); });

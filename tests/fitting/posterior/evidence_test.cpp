@@ -26,7 +26,7 @@ struct Known {
 };
 
 std::vector<Known> known() {
-    // Of the ridge: the sum has prior variance 2 and error 0.05.
+    // The sum on the ridge has prior variance 2 and error 0.05.
     const double ridge =
         std::log(0.05 * std::sqrt(2 * std::numbers::pi)) + std::log(test::normal_density(1, 0, std::sqrt(2.0025)));
     return {{"cut normal", test::cut_normal(), test::cut_normal_evidence},
@@ -57,7 +57,7 @@ TEST(Evidence, ErrsAsMuchAsItsErrorSays) {
         const Evidence found = evidence(ridge.target, draws, {128, 16, seed});
         squares += square((found.log_evidence - ridge.log_evidence) / found.standard_error) / repetitions;
     }
-    // Mean of 40 squares of Student's distribution with 15 degrees: 1.15 +- 0.29.
+    // The mean of 40 squares of Student's distribution with 15 degrees of freedom is 1.15 +- 0.29.
     EXPECT_GT(squares, 0.4);
     EXPECT_LT(squares, 2.3);
 }
@@ -72,7 +72,7 @@ TEST(Evidence, FindsAModeThatTheDrawsMissed) {
     }
     const Evidence found = evidence(target, draws, {2048, 16, 1});
     EXPECT_NEAR(found.log_evidence, test::two_modes_evidence, 4.1 * found.standard_error + 1e-4);
-    // Pilot points of the prior have found it, else a fourth of the evidence would rest on the prior's share.
+    // Pilot points of the prior find the mode; else a fourth of the evidence would rest on the prior's share.
     EXPECT_LT(found.standard_error, 0.01);
 }
 
@@ -108,7 +108,7 @@ TEST(Evidence, OfAModelWithoutFreeParametersIsItsLikelihood) {
 }
 
 TEST(StudentMixture, IsADensityAndDrawsFromIt) {
-    // Points on a bent line.
+    // The points lie on a bent line.
     Eigen::MatrixXd points(2, 1200);
     for (Eigen::Index index = 0; index < points.cols(); ++index) {
         const double x = -2 + 4 * static_cast<double>(index) / 1199;

@@ -24,7 +24,7 @@ TEST(Posterior, OfANormalDatumAndACutNormalPriorIsThatOfTheTextbook) {
     const Posterior posterior = sample(test::cut_normal());
     ASSERT_EQ(posterior.status, PosteriorStatus::converged);
     const ParameterPosterior& x = posterior.parameters.front();
-    // Mean of the cut normal: m + s (density(lower) - density(upper)) / share, in standard numbers.
+    // The mean of the cut normal is m + s (density(lower) - density(upper)) / share, in standard numbers.
     const double s = std::sqrt(0.2);
     const double mean =
         0.8 + 0.2 * (test::normal_density(-0.5, 0.8, s) - test::normal_density(1.5, 0.8, s)) / test::cut_normal_share;
@@ -56,7 +56,7 @@ TEST(Posterior, OfARidgeHasItsCorrelation) {
         // Relative standard error of a deviation 1 / sqrt(2 size); size > 400.
         EXPECT_NEAR(parameter.standard_deviation, deviation, 4 * deviation / std::sqrt(800.0));
     }
-    // Of the correlation: (1 - r^2) / sqrt(size) = 3e-4 at most.
+    // The correlation errs by (1 - r^2) / sqrt(size) = 3e-4 at most.
     EXPECT_NEAR(posterior.correlation(0, 1), (sum - 2) / (sum + 2), 1e-3);
 }
 
@@ -70,7 +70,7 @@ TEST(Posterior, FollowsABentRidgeAndWeighsModesByTheirContent) {
 
     const Posterior modes = sample(test::two_modes());
     ASSERT_EQ(modes.status, PosteriorStatus::converged);
-    // Three to one: mean 2; indicators of the modes have deviation 0.43 of the distance 8.
+    // The modes weigh three to one, so the mean is 2; their indicators have deviation 0.43 of the distance 8.
     EXPECT_NEAR(modes.parameters[0].mean, 2, 4 * standard_error(modes.parameters[0]));
 }
 
@@ -127,7 +127,7 @@ TEST(Posterior, SaysWhenNothingHasAnAnswerAndCountsTheCauses) {
 
 TEST(Posterior, IsNotCalledConvergedWhereTheWalkIsTooShort) {
     PosteriorSettings settings;
-    settings.draws = 64;  // 8 of each chain: no effective size of 400
+    settings.draws = 64;  // 8 draws of each chain are too few for an effective size of 400
     settings.evaluations_per_chain = 16;
     EXPECT_EQ(sample(test::banana(), settings).status, PosteriorStatus::not_converged);
 }

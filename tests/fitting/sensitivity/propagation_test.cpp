@@ -15,7 +15,7 @@ using test::objective;
 using test::Study;
 using test::unit_box;
 
-// A margin of three normal parameters: mean 2, deviation sqrt(1 + 0.25 + 0.36), so that p_f = Phi(-1.576).
+// The margin of three normal parameters has mean 2 and deviation sqrt(1 + 0.25 + 0.36): p_f = Phi(-1.576).
 double margin(std::span<const double> x) {
     return 2 + x[0] - 0.5 * x[1] + 0.6 * x[2];
 }
@@ -67,8 +67,8 @@ TEST(Propagation, IntervalsCoverTheTruthAsOftenAsTheySay) {
             mean_covered += result.mean.interval_95.contains(2) ? 1 : 0;
             failure_covered += result.failure->probability->interval_95.contains(margin_failure) ? 1 : 0;
         }
-        // 190 expected; 179 or fewer of 200 has a probability of 0.001 at 95 %. Replicates of 32 points are skewed a
-        // little.
+        // At 95 % 190 of 200 are expected, and 179 or fewer have a probability of 0.001. Replicates of 32 points are
+        // slightly skewed.
         EXPECT_GE(mean_covered, 178) << word_of(method);
         EXPECT_GE(failure_covered, 176) << word_of(method);
     }
@@ -133,8 +133,8 @@ TEST(Propagation, ConvergenceEndsAtTheAnswer) {
 }
 
 TEST(Propagation, SamplesWithoutAnswerAreCountedByCause) {
-    // A tenth of the box has no answer, another one fails by a word, a third stands by one, half of the rest lies below
-    // the limit.
+    // A tenth of the box has no answer, in another one a word says that it fails, in a third that it stands, and half
+    // of the rest lies below the limit.
     Study study([](std::span<const double> x) {
         return x[0] < 0.1   ? Evaluation{0, "crack_outside"}
                : x[0] < 0.2 ? Evaluation{0, "fails_at_any_strength"}
@@ -151,7 +151,7 @@ TEST(Propagation, SamplesWithoutAnswerAreCountedByCause) {
     EXPECT_EQ(causes[1].first, "fails_at_any_strength");
     EXPECT_EQ(causes[2].first, "holds_at_any_strength");
     EXPECT_EQ(result.with_value + causes[0].second + causes[1].second + causes[2].second, result.samples);
-    // (0.1 + 0.35) of the 0.9 that are decided; 0.45 to 0.55 of all.
+    // Of the 0.9 that are decided 0.1 + 0.35 fail; of all, 0.45 to 0.55 do.
     EXPECT_NEAR(result.failure->probability->value, 0.5, 0.005);
     EXPECT_NEAR(result.failure->least, 0.45, 0.005);
     EXPECT_NEAR(result.failure->greatest, 0.55, 0.005);

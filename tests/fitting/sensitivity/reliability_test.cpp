@@ -79,7 +79,7 @@ TEST(Reliability, FailureAboveALimit) {
 }
 
 TEST(Reliability, FindsBothOfTwoDesignPoints) {
-    // 5 - u1^2 / 2 ... a valley on either side: nearest at u1 = +-3 (distance 3), a third way at u2 = 4.
+    // The margin has a valley on either side: its zeros are nearest at u1 = +-3, at a distance of 3.
     const ReliabilityResult result =
         found([](std::span<const double> u) { return 9 - u[0] * u[0] + 0.1 * u[1]; }, independent(2, Normal{0, 1}));
     EXPECT_EQ(result.status, ReliabilityStatus::converged);
@@ -97,7 +97,7 @@ TEST(Reliability, KinkInTheLimitSurface) {
 }
 
 TEST(Reliability, CornerOfTheLimitSurface) {
-    // Both planes have to be passed: the design point is the corner, at which differences see a rounded surface.
+    // Both planes have to be passed: the design point is their corner, which the differences see as rounded.
     const ReliabilityResult result =
         found([](std::span<const double> u) { return std::max(2 - u[0], 1.5 - u[1]); }, independent(2, Normal{0, 1}));
     ASSERT_FALSE(result.points.empty());

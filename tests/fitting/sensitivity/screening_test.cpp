@@ -13,7 +13,7 @@ using test::objective;
 using test::Study;
 using test::unit_box;
 
-// The whole box, so that effects are those of the papers.
+// The whole box is screened, so that effects are those of the papers.
 MorrisSettings whole_box(int trajectories) {
     return {.trajectories = trajectories, .levels = 4, .lower_probability = 0, .upper_probability = 1};
 }

@@ -43,7 +43,7 @@ TEST(Sensitivity, AllMethodsSpeakOfTheSameProblem) {
     EXPECT_EQ(result.without_effect.front(), 1U);
 }
 
-// A search that ended at a bound decides where the bound is on one side of the limit.
+// A search that ended at a bound is decided if the bound and all beyond it are on one side of the limit.
 TEST(Sensitivity, BoundsOfTheQuantityDecideSamples) {
     SensitivityProblem problem;
     problem.model = formula_model(1, {"critical_tilt", "weight"}, [](std::span<const double> x) {
@@ -65,13 +65,13 @@ TEST(Sensitivity, BoundsOfTheQuantityDecideSamples) {
     EXPECT_GE(decided.least, 0.1);
     EXPECT_LE(decided.greatest, 0.5);
 
-    // At least 0.5 says nothing of 0.6.
+    // A value of at least 0.5 is undecided at a limit of 0.6.
     study.failure->limit = 0.6;
     const PropagationResult open = studied();
     EXPECT_EQ(open.failure->decided, 500);
     EXPECT_DOUBLE_EQ(open.failure->least, 0.5);
 
-    // The word of the study goes first; bounds of another output say nothing.
+    // The words listed in the study go first; bounds of another output decide nothing.
     study.failure = FailureCriterion{0.3, FailureSide::below, {"stands_everywhere"}, {}};
     EXPECT_DOUBLE_EQ(studied().failure->probability->value, 0.8);
     study.quantity = "weight";
@@ -91,7 +91,7 @@ TEST(Sensitivity, NothingAnsweredIsAStatus) {
     const SensitivityResult result = sensitivity(problem);
     EXPECT_EQ(result.status, SensitivityStatus::no_answer);
     EXPECT_EQ(result.propagation->evaluations.failed(), result.propagation->samples);
-    EXPECT_TRUE(result.without_effect.empty());  // nobody could tell
+    EXPECT_TRUE(result.without_effect.empty());  // without any value no effect can be judged
 }
 
 TEST(Sensitivity, StoppedBeforeItBegan) {

@@ -73,7 +73,7 @@ TEST(SobolIndices, SumOfNormalsSharesOutItsVariance) {
 }
 
 TEST(SobolIndices, ProductOfTwoIsHalfInteraction) {
-    // x y over (-1, 1): each alone does nothing, together everything.
+    // In x y over (-1, 1) each input alone has no effect, and both together have all of it.
     Study study(objective([](std::span<const double> x) { return x[0] * x[1]; }));
     const auto result =
         sobol_indices(study.evaluator(), test::independent(2, Uniform{-1, 1}), {.samples = 4096, .bootstrap = 200}, 2);
@@ -91,7 +91,7 @@ TEST(SobolIndices, IntervalsCoverTheTruthAtLeastAsOftenAsTheySay) {
             indices_of(test::ishigami, test::ishigami_space(), 512, static_cast<std::uint64_t>(seed));
         covered += result.parameters[1].total.interval_95.contains(0.44241) ? 1 : 0;
     }
-    // Wider than needed for a sequence; 25 of 30 or fewer has a probability of 0.02 at 95 %.
+    // The intervals are wider than a sequence needs; 25 of 30 or fewer has a probability of 0.02 at 95 %.
     EXPECT_GE(covered, 26);
 }
 
@@ -118,7 +118,7 @@ TEST(SobolIndices, RowsWithoutAnswerAreLeftOutAndCounted) {
     });
     const auto result = sobol_indices(study.evaluator(), unit_box(2), {.samples = 1024, .bootstrap = 100}, 1);
     EXPECT_EQ(result->status, SobolIndicesStatus::found);
-    // A, or B and AB_1, has x_0 < 0.1 with probability 1 - 0.9^2.
+    // A row has no answer if x_0 < 0.1 in A, or in B and so in AB_1, with probability 1 - 0.9^2.
     EXPECT_NEAR(static_cast<double>(result->rows_without), 0.19 * 1024, 20);
     Study hopeless([](std::span<const double>) { return Evaluation{0, "crack_outside"}; });
     const auto none = sobol_indices(hopeless.evaluator(), unit_box(2), {.samples = 64, .bootstrap = 100}, 1);

@@ -146,7 +146,7 @@ TEST(Sweep, SameNumbersOnAnyNumberOfThreads) {
     }
 }
 
-// Further outputs at the same points, and inputs that move together.
+// A study has further outputs at the same points, and inputs that move together.
 TEST(Sweep, OfAStudyHasFurtherQuantitiesAndInputsTogether) {
     SensitivityProblem problem;
     problem.model = test::formula_model(3, {"area", "count"}, [](std::span<const double> x) {

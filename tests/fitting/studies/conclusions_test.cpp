@@ -67,12 +67,12 @@ TEST(Conclusions, ProbabilitiesOfMechanisms) {
     EXPECT_EQ(findings[0].verdict, Verdict::confirmed);
     EXPECT_EQ(findings[1].verdict, Verdict::contradicted);
     EXPECT_EQ(findings[2].verdict, Verdict::confirmed);
-    // Within its error of the limit either way.
+    // The limit is within the error of the value, on whichever side.
     EXPECT_NE(findings[3].verdict, Verdict::contradicted);
     EXPECT_EQ(findings[4].verdict, Verdict::not_tested);
     EXPECT_TRUE(std::isnan(findings[4].value));
     EXPECT_EQ(findings[5].verdict, Verdict::confirmed);
-    // Not as probable as claimed, which does not make the opposite so.
+    // A mechanism that is less probable than claimed does not make the opposite probable.
     EXPECT_EQ(findings[6].verdict, Verdict::undecided);
     EXPECT_EQ(findings[7].verdict, Verdict::undecided);
     EXPECT_EQ(findings[8].verdict, Verdict::contradicted);
@@ -101,7 +101,7 @@ TEST(Conclusions, WhatAMechanismDoesThatIsOutDecidesNothing) {
             const bool out = mechanism == std::string("unlikely") && less_likely > 100;
             EXPECT_EQ(finding.verdict, out ? Verdict::undecided : Verdict::confirmed) << mechanism << less_likely;
             EXPECT_EQ(finding.improbable.has_value(), out) << mechanism << less_likely;
-            // The draws are counted all the same. A standard normal number is over -3 in 99.9 % of them.
+            // The draws are counted all the same: a standard normal number is over -3 in 99.9 % of them.
             EXPECT_GT(finding.holding, finding.draws * 0.95) << mechanism << less_likely;
         }
     }
@@ -152,7 +152,7 @@ TEST(Conclusions, ADifferenceIsTakenAtTheSameDraw) {
         {claim_of(ClaimOfQuantity{"likely", "y", raised, std::vector<Condition>{}}, Relation::at_least, 1.999),
          claim_of(ClaimOfQuantity{"likely", "y", {}, raised}, Relation::at_least, -1.999),
          claim_of(ClaimOfQuantity{"likely", "y", known, {}}, Relation::at_most, 1)});
-    // Of two roundings of numbers up to 6.
+    // The tolerance is two roundings of numbers up to 6.
     EXPECT_NEAR(findings[0].value, 2, 1e-14);
     EXPECT_NEAR(findings[0].interval_68.upper - findings[0].interval_68.lower, 0, 1e-14);
     EXPECT_EQ(findings[0].verdict, Verdict::confirmed);

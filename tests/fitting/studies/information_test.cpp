@@ -55,7 +55,7 @@ class LinearGaussian {
         return result;
     }
 
-    // Of parameter `index` by measuring combination a: the covariance falls by C a a' C / (a' C a + s^2).
+    // Measuring combination a changes parameter `index`: the covariance falls by C a a' C / (a' C a + s^2).
     double reduction(const Eigen::Vector2d& combination, double deviation, int index) const {
         const Eigen::Vector2d column = covariance * combination;
         const double fall = column[index] * column[index] / (combination.dot(column) + deviation * deviation);
@@ -126,7 +126,7 @@ TEST(Information, SaysWhereDrawsAreTooFewOrAnswersMissing) {
     EXPECT_NEAR(result[2].mechanisms.at(0).without_answer, 0.75, 1e-12);
 }
 
-// Of a mechanism of two with normal predictions: the mutual information of which it was and the outcome, by quadrature.
+// Mutual information of a choice between two mechanisms and their normal outcomes, by quadrature.
 double mutual_information(double probability, double distance, double deviation) {
     const auto density = [&](double z, double mean) {
         return std::exp(-0.5 * std::pow((z - mean) / deviation, 2)) / (deviation * std::sqrt(2 * M_PI));
@@ -160,7 +160,7 @@ TEST(Information, AboutWhichMechanismItWas) {
     const double exact = mutual_information(0.7, 3, std::hypot(1.0, deviation));
     EXPECT_NEAR(result[0].about_mechanism->value, exact, 4 * result[0].about_mechanism->error);
     EXPECT_LT(result[0].about_mechanism->error, 0.02);
-    // Weighted over mechanisms, of which the third gains nothing.
+    // The mean is weighted over the mechanisms, of which the third gains nothing.
     const double gain = posterior.reduction({1, 0}, deviation, 0);
     const ExpectedReduction& over = result[0].over_mechanisms.at(0).standard_deviation;
     EXPECT_NEAR(over.value, 0.8 * gain, 4 * over.error);

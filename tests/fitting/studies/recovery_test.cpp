@@ -12,8 +12,8 @@ namespace {
 using test::answer;
 using test::formula_model;
 
-// Shares and bias within 3.3 of their standard errors, ranks as even as chance leaves them: each of the four is missed
-// by a sound sampler once in a thousand times.
+// Shares and bias have to be within 3.3 of their standard errors, and ranks as even as chance leaves them: a sound
+// sampler misses each of the four once in a thousand times.
 void expect_calibrated(const ParameterRecovery& parameter, int counted) {
     const auto error = [&](double share) { return 3.3 * std::sqrt(share * (1 - share) / counted); };
     EXPECT_NEAR(parameter.coverage_68.value, 0.683, error(0.683)) << parameter.name;
@@ -55,8 +55,8 @@ TEST(Recovery, FindsALinearGaussianCalibrated) {
     for (const ParameterRecovery& parameter : result.parameters) {
         expect_calibrated(parameter, result.counted);
     }
-    // Of x2: precision 1 / 4 of the prior, 1 of the datum, 1 / (1 + 0.25) of the sum. The spread is the same for all
-    // data; draws give it to a few per cent.
+    // The precisions of x2 are 1 / 4 of the prior, 1 of the datum and 1 / (1 + 0.25) of the sum. The spread is the same
+    // for all data; draws give it to a few per cent.
     EXPECT_NEAR(result.parameters[1].spread, 1 / std::sqrt(0.25 + 1 + 0.8), 0.02);
 }
 
@@ -71,7 +71,7 @@ TEST(Recovery, SeesThatThePriorPulls) {
     EXPECT_LT(result.parameters[0].coverage_95.interval_95.upper, 0.9);
 }
 
-// An inequality that the prior breaks half the time.
+// The data include an inequality that the prior breaks half the time.
 TEST(Recovery, KeepsRanksUniformWithInequalities) {
     FitProblem problem = linear();
     problem.observations[1] = test::observe("second", 0, 0.3, Relation::at_least);

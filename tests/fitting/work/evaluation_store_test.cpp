@@ -66,7 +66,7 @@ class EvaluationStoreTest : public testing::Test {
   protected:
     std::filesystem::path file() const { return folder_.path() / "evaluations.sqlite"; }
 
-    // The message with which the file is refused; its bytes have to stay.
+    // Returns the message with which the file is refused, and expects that its bytes stay.
     std::string refusal(const std::filesystem::path& path) const {
         const std::string before = std::filesystem::is_directory(path) ? "" : content_of(path);
         try {
@@ -134,10 +134,10 @@ TEST_F(EvaluationStoreTest, TellsProgramsModelsInputsAndBitsApart) {
     const ModelInterface model = stored(counted_sum(calls), store, "sum");
     sum_at(model, 1, 2);
     EXPECT_EQ(calls, 1);
-    // The same point, told in another order, an input told twice: the last one counts.
+    // The point is the same in another order; of an input given twice the last value counts.
     EXPECT_EQ(model.predict(std::vector<Assignment>{{1, 5.0}, {1, 2.0}, {0, 1.0}}).outputs.at(0), 3);
     EXPECT_EQ(calls, 1);
-    model.predict(std::vector<Assignment>{{0, 1.0}});  // of x2 the base value: another key, as nobody told the store it
+    model.predict(std::vector<Assignment>{{0, 1.0}});  // x2 has its base value, unknown to the store: another key
     sum_at(model, 2, 1);
     sum_at(model, 1, std::nextafter(2.0, 3.0));
     EXPECT_EQ(calls, 4);
@@ -185,7 +185,7 @@ TEST_F(EvaluationStoreTest, AnExceptionOfTheModelLeavesNothing) {
 }
 
 TEST_F(EvaluationStoreTest, TwoProcessesWriteAtOnce) {
-    constexpr int points = 100;  // each of a process's, of which half are the other's too
+    constexpr int points = 100;  // points of each process, half of which the other has too
     const auto work = [&](int first) {
         EvaluationStore store(file(), "program");
         std::atomic<int> calls = 0;
@@ -222,8 +222,7 @@ TEST_F(EvaluationStoreTest, TwoProcessesWriteAtOnce) {
     EXPECT_EQ(calls, 0);
 }
 
-// A process that says after each evaluation that it is finished is killed at some moment, often in the middle of
-// keeping one.
+// A process reports each evaluation that it has finished, and is killed at some moment, often while it is storing one.
 TEST_F(EvaluationStoreTest, AKillLosesNothingFinished) {
     double finished_before = 0;
     for (int round = 0; round < 12; ++round) {

@@ -70,7 +70,7 @@ TEST_F(RunTableTest, SavesEveryRunThatItHolds) {
     TabledRuns second{table_of(text), empty};
     const ModelInterface model = tabled(counted_sum(calls), second);
     calls = 0;
-    // As written, a third of a unit of the 12th digit off.
+    // The written numbers are a third of a unit of the 12th digit off.
     const Prediction found = model.predict(std::vector<Assignment>{{0, 1.0 / 3}, {1, 2.0 / 3}});
     EXPECT_EQ(model.predict(std::vector<Assignment>{{0, -1.5}}).failure, "negative");
     EXPECT_EQ(calls, 0);

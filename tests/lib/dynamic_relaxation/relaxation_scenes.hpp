@@ -59,7 +59,7 @@ inline RelaxationSettings until_onset() {
     return settings;
 }
 
-// For blocks that move far without that being a failure.
+// The blocks may move far without that being a failure.
 inline RelaxationSettings unlimited(double duration) {
     RelaxationSettings settings;
     settings.onset_rotation = settings.onset_slide = 1e3;
@@ -69,13 +69,13 @@ inline RelaxationSettings unlimited(double duration) {
     return settings;
 }
 
-// Not stopped for what the blocks or their numbers must not do.
+// Returns false if the run was stopped for what blocks or their numbers must not do.
 inline bool ends_as_blocks_do(RelaxationOutcome outcome) {
     return outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::equilibrium ||
            outcome == RelaxationOutcome::onset || outcome == RelaxationOutcome::collapse;
 }
 
-// Share of the energy turned over that the energy balance cannot account for. A start in equilibrium turns over next to
+// Returns the share of the energy turned over that the energy balance misses. A start in equilibrium turns over next to
 // nothing: below `scale`, J/m, it is all rounding.
 inline double energy_error(const RelaxationResult& result, double scale) {
     return std::abs(result.energy_balance.residual()) / (result.energy_balance.turnover() + scale);

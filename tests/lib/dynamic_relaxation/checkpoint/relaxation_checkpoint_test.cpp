@@ -1,4 +1,4 @@
-// A run goes on from a checkpoint to the last bit, and nothing else passes for one.
+// A run continues from a checkpoint to the last bit, and nothing else is accepted as a checkpoint.
 #include "dynamic_relaxation/checkpoint/checkpoint.hpp"
 #include "dynamic_relaxation/contact/bonds.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
@@ -56,8 +56,8 @@ Case resting_blocks() {
     return result;
 }
 
-// What the others leave out: a peak, cohesion, consolidation, a removal, a base that is turned, kinetic damping, a
-// start on loose springs.
+// This case has what the others leave out: a peak, cohesion, consolidation, a removal, a base that is turned, kinetic
+// damping, a start on loose springs.
 Case eventful() {
     Case result{"eventful", row_scene(blocks_of({{1, 3}, {1, 2}, {1, 1}}, 30, 12))};
     result.scene.material[0].residual_friction_angle = 20 * degree;
@@ -76,7 +76,7 @@ Case eventful() {
     return result;
 }
 
-// Rock that shears off where it is pressed: what it has shortened by stays in the contacts that take its place.
+// The rock shears off where it is pressed: its shortening stays in the contacts that take its place.
 Case breaking_rock() {
     Case result{"breaking rock"};
     RelaxationScene& scene = result.scene;
@@ -104,13 +104,13 @@ void advance(Simulation& simulation, int steps) {
     }
 }
 
-// Past all events of the eventful run.
+// The steps go past all events of the eventful run.
 constexpr int steps = 4000;
 
 TEST(RelaxationCheckpoint, GoesOnToTheLastBit) {
     std::mt19937 random(4);
     for (const Case& one : {two_blocks(), eight_columns(), resting_blocks(), eventful(), breaking_rock()}) {
-        // Step 0 as well: preloaded, not yet moved.
+        // Step 0 is tried as well: the scene is consolidated and has not yet moved.
         std::vector<int> stops{0};
         for (int stop = 0; stop < 5; ++stop) {
             stops.push_back(std::uniform_int_distribution(1, steps - 1)(random));
@@ -164,7 +164,7 @@ TEST(RelaxationCheckpoint, RestingBlocksCostLess) {
     EXPECT_LT(run.state().contacts_evaluated - before, 500 * run.state().contacts.contact.size() / 2);
 }
 
-// Bytes between the members of a struct hold anything.
+// The padding between the members of a struct holds arbitrary bytes.
 TEST(RelaxationCheckpoint, PaddingDoesNotShow) {
     const Case one = two_blocks();
     Simulation run(one.scene, one.settings);
@@ -222,7 +222,7 @@ TEST(RelaxationCheckpoint, RefusesAnotherSceneOrOtherSettings) {
     EXPECT_EQ(check([&](auto&, auto& settings) { settings.local_damping += 0.1; }), refused);
     EXPECT_EQ(check([&](auto&, auto& settings) { settings.start = RelaxationStart::ramped; }), refused);
     EXPECT_EQ(check([&](auto&, auto& settings) { settings.time_step = 1e-4; }), refused);
-    // How far it goes, and on how many threads, is not a matter of the state.
+    // Duration, number of steps and number of threads are not part of the state.
     EXPECT_EQ(check([&](auto&, auto& settings) {
                   settings.duration *= 2;
                   settings.most_steps /= 2;

@@ -10,7 +10,7 @@
 namespace delabole {
 namespace {
 
-// Its run collapses, its search stands and fails: every part of the progress is used.
+// The study's run collapses, and its search both stands and fails: every part of the progress is used.
 RelaxationStudy study_of_everything() {
     RelaxationRow row{};
     row.tilt = degrees(22);
@@ -103,7 +103,7 @@ TEST(StudyCheckpoint, RefusesWhatAsksForSomethingElse) {
     EXPECT_EQ(check([](RelaxationStudy& other) { other.model.gravity = 9; }), refused);
 }
 
-// What carries the right envelope but not the study's own lists.
+// The envelope is right, but the lists are not those of the study.
 TEST(StudyCheckpoint, RefusesListsOfAnotherLength) {
     const RelaxationStudy study = study_of_everything();
     StudyProgress progress;

@@ -88,10 +88,10 @@ TEST(Bonds, CrackAtTheWallUnderTheLoadOfBeamTheory) {
     for (const RelaxationStart start : {RelaxationStart::preloaded, RelaxationStart::ramped}) {
         RelaxationSettings settings = until_onset();
         settings.start = start;
-        // Many periods of the beam, 20 ms: a slow ramp overshoots by next to nothing.
+        // The ramp lasts many periods of the beam, 20 ms, so that it hardly overshoots.
         settings.ramp_time = start == RelaxationStart::ramped ? 0.5 : 0;
         settings.duration = 3;
-        // A ramp is met with a dynamic excess of about period / ramp time.
+        // A ramp causes a dynamic excess of about period / ramp time.
         const double band = start == RelaxationStart::ramped ? 0.05 : 1e-4;
         const RelaxationResult holds = relax(cantilever(4, (1 + band) * fibre_stress), settings);
         EXPECT_EQ(holds.outcome, RelaxationOutcome::equilibrium);
@@ -131,7 +131,7 @@ TEST(Bonds, FeelNothingOfRigidMotionAndTurnWithIt) {
         const Motion one = moved_rigidly(bodies.centroid[0], angle, shift);
         Motion two = moved_rigidly(bodies.centroid[1], angle, shift);
         const FacePosition still = locate(between->face, one, two);
-        // Rounding of ways of some metres.
+        // The tolerance is the rounding of displacements of some metres.
         EXPECT_LT(std::abs(still.opening) + std::abs(still.slide) + std::abs(still.turn), 1e-14);
         // A deformation in the axes of the second block, and the same one turned.
         const double turn = 1e-3 * any(random);
@@ -208,7 +208,7 @@ TEST(Bonds, KeepMomentumAndEnergy) {
                 simulation.step();
             }
             const Momentum after = momentum_of(simulation);
-            // Rounding over some thousand steps.
+            // The tolerance is the rounding over some thousand steps.
             EXPECT_NEAR(after.x, before.x, 1e-9 * density);
             EXPECT_NEAR(after.y, before.y, 1e-9 * density);
             // Velocities stand half a step before positions: the moment of momentum swings by a step's share.
@@ -234,7 +234,7 @@ RelaxationScene block_on_slope(double cohesion, double bond_friction, double joi
     plane.tilt = tilt;
     RelaxationScene scene = scene_of(plane);
     scene.material[0].bond = 0;
-    // Softer than the joint by four powers of ten.
+    // The bond is softer than the joint by four powers of ten.
     scene.bond_material = {{1e7, 4e6, unbreakable, cohesion, bond_friction}};
     scene.bond = find_bonds(scene);
     return scene;
@@ -251,7 +251,7 @@ TEST(Bonds, ShearWhereCohesionAndFrictionAreSpent) {
     EXPECT_EQ(slides.block[0].movement, BlockMovement::slides_forward);
 }
 
-// The joint is stiffer than the rock by far, and has friction enough: it takes over without a jerk.
+// The joint is far stiffer than the rock and has enough friction: it takes over without a jerk.
 TEST(Bonds, HandOverWhatTheyCarry) {
     const double tilt = degrees(25);
     RelaxationSettings settings;
@@ -292,12 +292,12 @@ TEST(Bonds, LeaveNothingToBearOnOtherEdges) {
         const RelaxationResult result = relax(scene, settings);
         EXPECT_EQ(result.broken_bonds, scene.bond.size());
         EXPECT_GT(result.block[0].displacement, 0.3);
-        // Steps of 0.6 of the stable one, as above.
+        // The error is that of steps of 0.6 of the stable one, as above.
         EXPECT_LT(energy_error(result, 0), 0.02) << vertex_at_the_end;
     }
 }
 
-// Squares on a fixed row, weak enough to fall apart on a slope.
+// The wall consists of squares on a fixed row, bonded weakly enough to fall apart on a slope.
 RelaxationScene weak_wall(std::size_t columns, std::size_t rows) {
     RelaxationScene scene;
     for (std::size_t row = 0; row < rows; ++row) {
@@ -326,7 +326,7 @@ std::size_t broken(const Simulation& simulation) {
 }
 
 TEST(Bonds, GoOnFromCheckpointsAndForAnyNumberOfThreads) {
-    // More than 512 bonds, from where on they are divided.
+    // More than 512 bonds are divided among the threads.
     const RelaxationScene scene = weak_wall(18, 16);
     ASSERT_GT(scene.bond.size(), 512U);
     Simulation whole(scene, dropped(1));
@@ -359,13 +359,13 @@ TEST(Bonds, BooksOfABreakingWallBalance) {
     settings.local_damping = 0;
     settings.duration = 0.4;
     RelaxationScene scene = weak_wall(4, 4);
-    // So strong that some hold.
+    // The bonds are now so strong that some hold.
     scene.bond_material[0].tensile_strength *= 1.5;
     scene.bond_material[0].cohesion *= 1.5;
     const RelaxationResult result = relax(scene, settings);
     EXPECT_GT(result.broken_bonds, 0U);
     EXPECT_LT(result.broken_bonds, scene.bond.size());
-    // What explicit steps of 0.6 of the stable one leave over in any run of blocks that bump.
+    // Explicit steps of 0.6 of the stable one leave this error in any run of colliding blocks.
     EXPECT_LT(energy_error(result, 0), 0.02);
 }
 

@@ -1,4 +1,4 @@
-// Contacts are looked for where something has moved, and only there.
+// Contacts are searched for where something has moved, and only there.
 #include "dynamic_relaxation/contact/contact_watch.hpp"
 
 #include "dynamic_relaxation/blocks/neighbours.hpp"
@@ -47,14 +47,14 @@ RelaxationScene wall_and_splinter(int rows, int columns) {
 
 std::uint64_t looks_after_the_first(int rows, int columns) {
     RelaxationSettings settings = unlimited(1);
-    // The same for both walls: corners where four blocks meet bear 4e-5 s.
+    // The step is the same for both walls: corners where four blocks meet bear 4e-5 s.
     settings.time_step = 2.5e-5;
     Simulation simulation(wall_and_splinter(rows, columns), settings);
     const std::uint64_t first = simulation.state().watch.pair_checks;
     while (simulation.running()) {
         simulation.step();
     }
-    // It has fallen, and lies or bounces on the floor.
+    // The splinter has fallen, and lies or bounces on the floor.
     EXPECT_LT(simulation.state().motion[static_cast<std::size_t>(rows * columns)].y, -2);
     return simulation.state().watch.pair_checks - first;
 }
@@ -68,14 +68,14 @@ TEST(ContactWatch, SplinterDoesNotMakeAWallBeSearchedAgain) {
 TEST(ContactWatch, BlocksThatFallSideBySideAreNotLookedAtAgain) {
     std::vector<RelaxationBlock> blocks;
     for (int column = 0; column < 10; ++column) {
-        // Gaps of 0.1 mm, far less than they fall in a step.
+        // The gaps are 0.1 mm, far less than the blocks fall in a step.
         blocks.push_back({rectangle(1.0001 * column, 30, 1, 1), density});
     }
     RelaxationSettings settings = unlimited(1.5);
     settings.start = RelaxationStart::dropped;
     Simulation simulation(on_floor(std::move(blocks)), settings);
     simulation.step();
-    // Air parts them from the floor only: 9 pairs.
+    // Only the floor is far from the blocks: 9 pairs remain.
     const std::uint64_t first = simulation.state().watch.pair_checks;
     EXPECT_EQ(first, 9U);
     while (simulation.running()) {
@@ -190,7 +190,7 @@ TEST(ContactWatch, BlocksShotAwayAreNoNeighbours) {
     }
 }
 
-// Looks, and all that follows from them, are part of the state.
+// Checks for contacts, and all that follows from them, are part of the state.
 TEST(ContactWatch, LooksTheSameOnAnyThreadsAndAfterARestart) {
     const RelaxationScene scene = rubble(7);
     RelaxationSettings settings = unlimited(1e3);

@@ -1,4 +1,4 @@
-// Corners that meet corners: nothing is held that cannot be, and nothing falls that is held.
+// Where corners meet corners, nothing is held that cannot be, and nothing falls that is held.
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 
 #include "dynamic_relaxation/contact/contact_law.hpp"
@@ -83,7 +83,7 @@ RelaxationStudy with_corners_that_bear(RelaxationStudy study) {
     return study;
 }
 
-// Where corners bear, as those of steel do.
+// The corners bear loads here, as those of steel do.
 TEST(Toe, SlidesAndStandsTheSameHoweverItsPlaneIsDrawn) {
     for (const double dip : {20.0, 35.0, 50.0}) {
         const std::vector<std::pair<std::string, SlopeCut>> drawings{
@@ -118,7 +118,7 @@ TEST(Toe, SlidesHoweverItIsLoaded) {
     }
 }
 
-// Where the plane comes out in the face, above the toe, nothing is in its way.
+// Where the plane daylights in the face, above the toe, nothing obstructs it.
 TEST(Toe, AboveTheGroundHoldsByFrictionAlone) {
     for (const double beyond : {-0.1, 0.1}) {
         EXPECT_EQ(run(toe(plane_through(35, {0, 0.2}), degrees(35 + beyond), {{-15, 0}})).result.outcome,
@@ -140,7 +140,7 @@ TEST(Toe, StandsOnItsCornerAloneBelowTheFrictionOfItsPlane) {
     }
 }
 
-// Rock bears over faces: up to the friction of the plane its tip alone holds the wedge.
+// Rock bears loads on faces only: below the friction of the plane just its tip would hold the wedge.
 TEST(Toe, DoesNotStandOnItsCorner) {
     const double dip = 35;
     for (const SlopeCut& plane : {plane_from(dip, 0), plane_from(dip, -8), plane_from(dip, -40),
@@ -224,7 +224,7 @@ Polygon<> diamond(double x, double y) {
 }
 
 TEST(CornerOnCorner, HoldsNothingThatEitherEdgeLetsGo) {
-    // A brick on the very corner of another; and edges like knives, on which a block slides off to either side.
+    // A brick stands on the very corner of another; a block slides off knife edges to either side.
     EXPECT_EQ(relax(on_floor({rectangle(0, 0, 1, 1), rectangle(1, 1, 1, 1)}, 30), until_onset()).outcome,
               RelaxationOutcome::onset);
     RelaxationScene knives = on_floor({diamond(0, 0), diamond(0, 2 * std::sqrt(0.5))}, 30);
@@ -232,8 +232,8 @@ TEST(CornerOnCorner, HoldsNothingThatEitherEdgeLetsGo) {
     EXPECT_EQ(relax(knives, until_onset()).outcome, RelaxationOutcome::onset);
 }
 
-// The tip of a wedge at the corner of the ground, wherever it has come and however it has turned: the ground's corner
-// is below the wedge's face by as much as the contact of the tip takes it to be.
+// Wherever the tip of a wedge at the corner of the ground has come, and however it has turned, the ground's corner is
+// below the wedge's face by as much as the contact of the tip takes it to be.
 TEST(CornerOnCorner, KnowsHowDeepTheOtherEdgeIs) {
     RelaxationScene scene = on_floor({{{0, 0}, at(35, 20), at(58, 20)}}, 30);
     scene.block[1].outline = {{0, 0}, {-20, 0}, at(215, 17)};
@@ -290,7 +290,7 @@ RelaxationScene mirrored(RelaxationScene scene) {
     return scene;
 }
 
-// Normals of the edges that yield in a trial, in order; with x times the sense.
+// Returns the normals of the edges that yield in a trial, in order, with x times the sense.
 std::vector<std::pair<double, double>> edges_that_yield(const RelaxationScene& scene, double sense) {
     const Bodies bodies = make_bodies(scene);
     const std::vector<Motion> motion(2);
@@ -319,7 +319,7 @@ TEST(CornerOnCorner, IsTriedTheSameMirrored) {
     }
 }
 
-// Two layers of two bricks, with joints that cross in one point; and a third joint through it.
+// Two layers of two bricks have joints that cross in one point; then a third joint passes through it.
 TEST(CornerOnCorner, CrossingJointsHoldByTheirFriction) {
     const std::vector<Polygon<>> two{rectangle(0, 0, 2, 1), rectangle(2, 0, 2, 1), rectangle(0, 1, 2, 1),
                                      rectangle(2, 1, 2, 1)};

@@ -27,7 +27,7 @@ FlexuralSlope slope_of(const std::vector<double>& heights) {
     return slope;
 }
 
-// Bonded to their feet; in one piece or, with a length of pieces, also across the columns.
+// The columns are bonded to their feet; they are in one piece or, given a length of pieces, bonded across too.
 RelaxationScene columns(const std::vector<double>& heights, double tensile_strength,
                         double piece = std::numeric_limits<double>::infinity()) {
     RelaxationScene scene;
@@ -43,7 +43,7 @@ RelaxationScene columns(const std::vector<double>& heights, double tensile_stren
     scene.block.back().joint = {1, 1, 1, 1};
     scene.material = {joint(1e12, joint_friction), joint(1e12, degrees(30))};
     scene.material[1].bond = 0;
-    // A foot's stiffness, less than that of the joints.
+    // The bond has the stiffness of a foot, less than that of the joints.
     scene.bond_material = {{8e10, 8e10, tensile_strength, 1e9, degrees(30), 1.0}};
     scene.gravity.tilt = scene.gravity.final_tilt = dip;
     scene.bond = find_bonds(scene);
@@ -111,8 +111,8 @@ TEST(FlexuralRelaxation, BondedSlopeNeedsMoreThanLimitEquilibrium) {
     EXPECT_LT(found, 0.6 * alone);
 }
 
-// In shares of what limit equilibrium requires. The columns come to rest before they are weakened. Rock deforms over
-// a piece's length, at the feet over half of it.
+// Returns the strength as a share of what limit equilibrium requires. The columns come to rest before they are
+// weakened. Rock deforms over a piece's length, at the feet over half of it.
 double needed_share(const std::vector<double>& heights, double piece) {
     const double together = analyse(slope_of(heights)).required_tensile_strength;
     RelaxationScene scene = columns(heights, 100 * together, piece);
@@ -160,8 +160,8 @@ TEST(FlexuralRelaxation, ConvergesAsColumnsAreDivided) {
     EXPECT_LT(fine, 1.25);
 }
 
-// Their preload finds balance only under a load that grows. Where it finds none, the columns swing, and then seem to
-// need 1.4 times as much, of a load that drops on them 1.7 times.
+// The static equilibrium solve succeeds only under a load that grows. Where it fails, the columns swing and seem to
+// need 1.4 times as much strength, and 1.7 times under a load that drops on them.
 TEST(FlexuralRelaxation, ElevenColumnsNeedLittleMoreToo) {
     const double found = needed_share({2, 4, 6, 8, 10, 9, 8, 7, 6, 5, 4}, 1);
     // Found: 1.130, much as of six columns.

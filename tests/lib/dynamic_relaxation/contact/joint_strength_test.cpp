@@ -56,7 +56,7 @@ RelaxationScene scene_of(const OnPlane& plane, const Strength& strength, const V
     return scene;
 }
 
-// Stands at 0.998 of the tilt, fails at 1.002: of 20 deg that is 0.04 deg.
+// The block stands at 0.998 of the tilt and fails at 1.002: of 20 deg that is 0.04 deg.
 void expect_limit(const OnPlane& plane, const Strength& strength, double limit, const std::string& what,
                   const Vertices& vertices = {}) {
     for (const double part : {0.998, 1.002}) {
@@ -123,7 +123,7 @@ TEST(JointStrength, CarriesAHangingBlockByItsWholeFace) {
     for (const double part : {0.998, 1.002}) {
         OnPlane plane;
         RelaxationScene scene;
-        // Over half of its width.
+        // The block touches over half of its width.
         scene.block = {{rectangle(0, -1, 1, 1), density},
                        fixed_block(rectangle(-0.75, 0, 1, 1)),
                        fixed_block(rectangle(0.75, 0, 1, 1))};
@@ -184,7 +184,7 @@ TEST(JointStrength, IsSpreadWhereItCanBeLost) {
     EXPECT_EQ(bonds([](JointMaterial& one) { one.tensile_strength = 1; }), 1U);
     // Perfectly plastic corners add up to limit equilibrium themselves.
     EXPECT_EQ(bonds([](JointMaterial& one) { one.cohesion = one.residual_cohesion = 1; }), 0U);
-    // Of two joints in contact that with less friction counts.
+    // Of two joints in contact the one with less friction counts.
     RelaxationScene scene = relaxation_scenes::scene_of(OnPlane{});
     scene.material.push_back(joint(scene.material[0].normal_stiffness, degrees(50)));
     scene.block[1].joint = {1, 1, 1, 1};
@@ -275,7 +275,7 @@ RelaxationStudy block_in_a_row(double height, const RelaxationJoint& base, const
     return study;
 }
 
-// As cases have it: (c b + W cos tan(phi)) / (W sin), W / b = 0.9 m of rock.
+// The factor of safety of a case is (c b + W cos tan(phi)) / (W sin), with W / b = 0.9 m of rock.
 TEST(JointStrength, DividedIsAFactorOfSafety) {
     RelaxationJoint base{};
     base.friction_angle = degrees(20);

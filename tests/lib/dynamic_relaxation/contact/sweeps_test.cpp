@@ -1,4 +1,4 @@
-// Contacts and blocks taken many at a time do to the last bit what they do one by one.
+// Contacts and blocks that are evaluated many at a time give the same bits as one by one.
 #include "dynamic_relaxation/blocks/block_sweep.hpp"
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/contact/contact_sweep.hpp"
@@ -23,7 +23,7 @@ namespace {
 constexpr double stiffness = 1e9;
 constexpr double step = 1e-4;
 
-// A wall whose joints have all that a joint can have.
+// The joints of the wall have every property that a joint can have.
 RelaxationScene wall() {
     RelaxationScene scene = brick_pack_scene({5, 7, 1e5, 0.6, 0.2});
     scene.material = {{stiffness, stiffness / 2, 0.6, 0.4, 2e4, 1e4}};
@@ -36,7 +36,7 @@ bool same_bytes(const Array& one, const Array& other) {
            std::memcmp(one.data(), other.data(), one.size() * sizeof(typename Array::value_type)) == 0;
 }
 
-// Member by member: what fills a struct up to its size means nothing.
+// Structs are compared member by member, since their padding means nothing.
 bool same_memory(const ContactList& one, const ContactList& other) {
     for (std::size_t index = 0; index < one.memory.size(); ++index) {
         const auto bits = [](const ContactMemory& memory) {
@@ -58,7 +58,7 @@ class Shaken : public testing::Test {
   protected:
     Shaken() : displacement(bodies.size(), 0), motion(bodies.size()), moved(bodies.size(), 1) {}
 
-    // Blocks come by about what makes joints slip and open and close again; or, every fifth time, so far that corners
+    // Blocks move by about as much as makes joints slip, open and close again; every fifth time so far that corners
     // come past the ends of edges.
     void shake() {
         const double reach = ++shakes % 5 == 0 ? 4e-3 : 2e-5;
@@ -139,7 +139,7 @@ TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
                 seen.weightless += before.touching && !after.touching && !apart ? 1 : 0;
                 seen.begun += !before.touching && after.touching ? 1 : 0;
                 seen.taken_over += !before.touching && after.touching && after.shear != 0 && !after.sliding ? 1 : 0;
-                // From a twin that is evaluated later, at the same time where contacts are taken together.
+                // The twin is evaluated later, or at the same time where contacts are taken together.
                 seen.taken_before += !before.touching && after.touching && twin_touches && contact.twin > index &&
                                              contact.twin / 4 == index / 4
                                          ? 1
@@ -170,7 +170,7 @@ TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
             ASSERT_EQ(sum[block].moment, expected_sum[block].moment) << round;
         }
     }
-    // All that the test is about has happened often.
+    // Everything that the test is about has happened often.
     EXPECT_GT(seen.sliding, 1000U);
     EXPECT_GT(seen.opened, 1000U);
     EXPECT_GT(seen.bearing, 10000U);
@@ -223,7 +223,7 @@ TEST_P(ContactLoops, GiveTheSameBitsPartByPart) {
     }
 }
 
-// What is not a number stays in its lane.
+// A non-finite block affects no other lane.
 TEST_P(ContactLoops, GiveTheSameBitsBesideABlockThatIsLost) {
     for (const double lost : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         renew();
@@ -273,11 +273,11 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     std::vector<BlockForce> loads(bodies.size());
     std::vector<std::uint32_t> at_rest(bodies.size(), 3);
     shake();
-    // At rest, until its load wakes it.
+    // This block is at rest until its load wakes it.
     constexpr std::size_t resting = 15;
     at_rest[resting] = 4;
     motion[resting].vx = motion[resting].vy = motion[resting].spin = 0;
-    // Turns beyond a hundredth of a radian, and blocks that do not turn.
+    // One block has turned by more than a hundredth of a radian, and two do not turn.
     motion[3].set_angle(0.5);
     motion[4].spin = motion[9].spin = 0;
     std::vector<Motion> one_by_one = motion;
@@ -341,7 +341,7 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
         }
         EXPECT_EQ(sums.unbalanced, expected.unbalanced);
         EXPECT_EQ(sums.fastest, expected.fastest);
-        // Forty terms in another order.
+        // Forty terms are added in another order.
         const double rounding = 40 * std::numeric_limits<double>::epsilon() * std::abs(expected.damped);
         EXPECT_NEAR(sums.damped, expected.damped, rounding);
         EXPECT_GT(expected.damped, 0);
@@ -349,7 +349,7 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     }
     EXPECT_GT(times_noticed, 5 * bodies.size());
     EXPECT_LT(times_noticed, 45 * bodies.size());
-    // What is not a number is noticed.
+    // A value that is not finite is noticed.
     for (const std::size_t block : {6U, 7U}) {
         motion[block].vx = one_by_one[block].vx = std::numeric_limits<double>::quiet_NaN();
     }

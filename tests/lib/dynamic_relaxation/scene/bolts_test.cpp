@@ -23,7 +23,7 @@ OnPlane steep() {
     return plane;
 }
 
-// Normal to the plane, and so tensioned that it cannot take more: a constant force.
+// The bolt is normal to the plane and tensioned to its capacity: it exerts a constant force.
 RelaxationScene pressed(double force) {
     RelaxationScene scene = scene_of(steep());
     scene.bolt = {{0, 0, 1, {0.5, 0.5}, {0.5, -0.5}, 1e6, force, force}};
@@ -50,20 +50,20 @@ RelaxationScene hanging(double stiffness, double capacity) {
 TEST(Bolts, ABlockHangsOnABar) {
     const OnPlane plane = steep();
     const double force = plane.weight() * std::sin(plane.tilt);
-    // So stiff that the block moves by less than onset, a hundredth of its radius.
+    // The bolt is so stiff that the block moves by less than onset, a hundredth of its radius.
     const double stiffness = force / 1e-3;
     RelaxationSettings settings;
     const RelaxationResult result = relax(hanging(stiffness, 10 * force), settings);
     ASSERT_EQ(result.outcome, RelaxationOutcome::equilibrium);
     ASSERT_EQ(result.bolt.size(), 1U);
-    // To what counts as rest, with room for the last of the swing.
+    // The tolerance is what counts as rest, with room for the last of the swing.
     EXPECT_NEAR(result.bolt[0].force / force, 1, 1e-4);
     EXPECT_EQ(result.bolt[0].yielded, 0);
     EXPECT_NEAR(result.block[0].displacement, 1e-3, 1e-6);
     EXPECT_LT(energy_error(result, 1e-3 * density * gravity), 0.01);
 }
 
-// Weaker than what pulls on it, it stretches on at its capacity, and what is left pulls the block down.
+// The bolt is weaker than the pull on it: it stretches on at its capacity, and the rest pulls the block down.
 TEST(Bolts, AWeakBarYields) {
     const OnPlane plane = steep();
     const double force = plane.weight() * std::sin(plane.tilt);
@@ -72,14 +72,14 @@ TEST(Bolts, AWeakBarYields) {
     const RelaxationResult result = relax(hanging(1e8, force / 2), settings);
     EXPECT_EQ(result.bolt[0].force, force / 2);
     const double way = gravity * std::sin(plane.tilt) / 2 * 0.5 * 0.5 / 2;
-    EXPECT_NEAR(result.block[0].displacement / way, 1, 0.01);  // while it was elastic it held a little longer
+    EXPECT_NEAR(result.block[0].displacement / way, 1, 0.01);  // an elastic bolt held a little longer
     EXPECT_NEAR(result.bolt[0].yielded / way, 1, 0.01);
     RelaxationScene uphill = hanging(1e8, force / 2);
     uphill.gravity.tilt = uphill.gravity.final_tilt = -plane.tilt;
     EXPECT_EQ(relax(uphill, settings).bolt[0].force, 0) << "a bolt pulls, it does not push";
 }
 
-// Between the point of the block that has moved and the wall, with its force: at first whole, then yielded.
+// A frame shows a bolt from the point of the moved block to the wall, with its force: at first whole, then yielded.
 TEST(Bolts, FramesShowWhereTheyAreAndWhatTheyBear) {
     const OnPlane plane = steep();
     const double force = plane.weight() * std::sin(plane.tilt) / 2;

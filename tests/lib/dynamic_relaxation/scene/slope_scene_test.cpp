@@ -45,10 +45,10 @@ TEST(SlopeScene, FrameHoldsTheSidesAsked) {
     const auto last = below.block.back();
     EXPECT_TRUE(last.fixed);
     EXPECT_EQ(area_properties(last.outline).area, 14);
-    // The lowest row stands on the frame's joint, the others on their own.
+    // The lowest row stands on the joint of the frame, the others stand on their own joints.
     const RelaxationBlock& lowest = below.block.front();
     EXPECT_EQ(std::count(lowest.joint.begin(), lowest.joint.end(), 2U), 1);
-    // The first is the one in the corner.
+    // The first block is the one in the corner.
     EXPECT_EQ(std::count(around.block.front().joint.begin(), around.block.front().joint.end(), 2U), 2);
     RelaxationStudy study{};
     study.model.scene = slope;
@@ -67,7 +67,7 @@ TEST(SlopeScene, AreasFixAndRemoveTheirBlocks) {
     slope.stage = {{1.5, {{-1, 5}, {7, 5}, {7, 7}, {-1, 7}}}, {3, {{-1, 3}, {1, 3}, {1, 5}, {-1, 5}}}};
     const SlopeScene scene = slope_scene(slope);
     ASSERT_EQ(scene.check, SlopeCheck::valid);
-    // Joints at 1, 3, 5 both ways: four rows of four.
+    // The joints are at 1, 3 and 5 both ways: four rows of four.
     ASSERT_EQ(scene.block.size(), 16U);
     for (std::size_t block = 0; block < 16; ++block) {
         EXPECT_EQ(scene.block[block].fixed, block >= 12) << "fixed blocks are counted last";

@@ -64,7 +64,7 @@ std::vector<Resultant> resultants(const SlopeScene& made) {
 
 TEST(SlopeWater, LiftsEachBlockByWhatItDisplaces) {
     RelaxationSlope slope = cut_by_three_sets();
-    // A pond in front of the slope: pressure on the face too.
+    // A pond in front of the slope presses on the face too.
     slope.water = SlopeWater{water_weight, {{-5, 6.3}, {30, 6.3}}};
     const SlopeScene scene = slope_scene(slope);
     ASSERT_EQ(scene.check, SlopeCheck::valid) << word_of(scene.check);
@@ -145,8 +145,8 @@ TEST(SlopeWater, IsIntegratedBetweenAllKinks) {
                     sum.moment += cross(at - centroid, force);
                 }
             }
-            // Of the middle rule, whose error in the part with a kink is half the jump of slope, here up to 7000, times
-            // the square of the part, of up to 5 m / 4000.
+            // The middle rule errs, in the part with a kink, by half the jump of slope, here up to 7000, times the
+            // square of the part, of up to 5 m / 4000.
             const double error = water_weight * 7000 / 2 * std::pow(5.0 / parts, 2) * 3;
             EXPECT_NEAR((sums[block].force - sum.force).norm(), 0, error) << number << ' ' << block;
             EXPECT_NEAR(sums[block].moment, sum.moment, 3 * error) << number << ' ' << block;
@@ -248,7 +248,7 @@ TEST(SlopeWater, VerticesOnAFaceChangeNothing) {
     const double depth = 4;
     const RelaxationStudy study = sliding_on_water(depth);
     const PlanePoint<> toe = toe_of_plane();
-    // On the outline, on the trace, and corners of the blocks below on the plane.
+    // The added vertices lie on the outline, on the trace, and at corners of the blocks below on the plane.
     RelaxationStudy more = study;
     auto& cornered = std::get<RelaxationSlope>(more.model.scene);
     cornered.geometry.outline = {{-10, -6}, {30, -6}, {30, 12}, {9, 12}, {crest_x, 12}, {3, 6}, {0, 0}, {-10, 0}};

@@ -33,8 +33,8 @@ TEST(LocalBalance, MovesWhatLacksBalanceAndNothingElse) {
     EXPECT_NEAR(equations.unbalanced_ratio(), 1, 1e-9);  // rounding of overlaps of 1e-5 of a brick
     Eigen::VectorXd moved = Eigen::VectorXd::Zero(equations.unbalanced().size());
 
-    // Where nothing touches, a block moves by its weight over what resists: less than the gap with 1e-2 of a joint,
-    // through it with 1e-4.
+    // Where nothing touches, a block moves by its weight over the pseudo-viscosity: less than the gap with 1e-2 of a
+    // joint, through it with 1e-4.
     for (const double resists : {1e-2, 1e-4}) {
         const PseudoViscosity resisting{resists, resists};
         const Eigen::VectorXd lacking = equations.unbalanced() - equations.resistance(resisting, moved);

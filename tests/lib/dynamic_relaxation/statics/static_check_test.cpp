@@ -40,7 +40,7 @@ struct AtRest {
         return check_statics(bodies, bodies.fixed, loads, inverse_weight, {}, {}, state.motion, state.contacts);
     }
 
-    // Of the contact that bears most.
+    // Returns the index of the contact that bears most.
     std::size_t hardest_pressed() const {
         std::size_t hardest = 0;
         double least = 0;
@@ -94,7 +94,7 @@ TEST(StaticCheck, FindsMoreShearThanFrictionHolds) {
     EXPECT_GT(bricks.check().beyond_shear, tolerance);
 }
 
-// What it adds up is what the run's own sweep of contacts does: the two agree where nothing is tampered with.
+// The check adds up the same as the run's own sweep of contacts, so that both agree if nothing is tampered with.
 TEST(StaticCheck, AgreesWithTheRunAboutWhatIsOutOfBalance) {
     AtRest bricks;
     EXPECT_LT(bricks.check().unbalanced, tolerance);

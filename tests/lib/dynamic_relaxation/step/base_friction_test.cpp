@@ -50,9 +50,9 @@ TEST(BaseFriction, ResultantAndMomentOverTheArea) {
     struct Turn {
         double spin;       // of the block's ends against its middle, in belt speeds
         double vy;         // in belt speeds
-        double tolerance;  // of the header
+        double tolerance;  // as stated in the header
     };
-    // Slow turns; a block that is carried along while it turns; one that turns about a point of its own.
+    // These are slow turns, a block carried along while it turns, and one that turns about a point of its own.
     for (const Turn& turn : {Turn{0, 0, 1e-12}, Turn{0.1, 0, 1e-6}, Turn{0.2, 0, 1e-6}, Turn{-0.5, 0.2, 1e-3},
                              Turn{3, -1, 1e-2}, Turn{2, 0.3, 2e-2}}) {
         Motion motion;
@@ -87,7 +87,7 @@ TEST(BaseFriction, GoesOverFromTheQuadratureToSlowTurning) {
     };
     const BlockForce slow = drag(0.999e-3);
     const BlockForce fast = drag(1.001e-3);
-    // Terms of second order in the turning.
+    // The tolerance is of second order in the turning.
     EXPECT_NEAR(slow.x, fast.x, 1e-6);
     EXPECT_NEAR(slow.y, fast.y, 1e-6);
     EXPECT_LT(slow.moment, 0);
@@ -112,7 +112,7 @@ RelaxationSettings moving(double duration) {
     return settings;
 }
 
-// Far above its base, with nothing to touch.
+// The block is far above its base and touches nothing.
 RelaxationScene block_afloat(const Belt& belt) {
     OnPlane plane;
     plane.width = 0.05;

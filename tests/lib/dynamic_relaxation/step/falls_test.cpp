@@ -15,7 +15,7 @@ using falls::gravity;
 using falls::Kind;
 using falls::rectangle;
 
-// Springs at their limit of overlap stop the run; at moments between two looks they may be a little deeper.
+// Springs at their limit of overlap stop the run; between two checks they may be a little deeper.
 constexpr double limit_and_a_little = 0.06;
 
 falls::Fall block_from_20_m(double angle) {
@@ -42,8 +42,8 @@ TEST(Falls, NoBlockGoesThroughTheFloorWhateverItsAngle) {
     }
 }
 
-// Of each kind the first ones; falls_bench runs thousands. Of shots at 50 m/s and of heaps, in which small polygons
-// meet with springs made for the largest, some press their springs beyond the limit of overlap and must say so.
+// These are the first of each kind; falls_bench runs thousands. Some shots at 50 m/s and heaps, whose small polygons
+// meet springs made for the largest, press their springs beyond the limit of overlap and must say so.
 TEST(Falls, OfAllKindsStayOutOfEachOtherAndKeepEnergy) {
     struct Count {
         Kind kind;
@@ -112,7 +112,7 @@ TEST(Falls, ThinPlatesEitherBounceOrStopTheRun) {
     }
 }
 
-// Where the contacts know nothing of it, as when a program has put a block there.
+// The contacts do not know of the overlap, as when a program has put a block there.
 TEST(Audit, BlockInsideAnotherIsNoOutcome) {
     const falls::Fall fall = block_from_20_m(0);
     RelaxationSettings settings = falls::settings_of(fall);
@@ -136,7 +136,7 @@ TEST(Audit, EnergyThatIsNotThereIsNoOutcome) {
     const auto outcome_with = [&](double share) {
         Simulation simulation(fall.scene, settings);
         RelaxationState state = simulation.state();
-        // Of the work of the fall, 19.5 m and what the block lies down by. The turnover is twice that.
+        // This is a share of the work of the fall, 19.5 m and what the block lies down by. The turnover is twice that.
         state.energy_balance.applied += share * 0.5 * density * gravity * 19.5;
         Simulation run(fall.scene, settings, state);
         while (run.running()) {
@@ -166,7 +166,7 @@ TEST(Overlap, IsTheCommonArea) {
     EXPECT_NEAR(corner->area, 0.25 * 0.5, 1e-15);
     EXPECT_NEAR(corner->depth, 0.25, 1e-15);
     EXPECT_NEAR(corner->share, 0.25, 1e-15);
-    // Turned by 45 deg in the middle of the other: cut off above and below.
+    // The block is turned by 45 deg in the middle of the other, and cut off above and below.
     motion[1].x = -2.5;
     motion[1].y = 0;
     motion[1].set_angle(degrees(45));
@@ -202,7 +202,7 @@ TEST(StepFraction, StandsAtItsGreatestWithAnyDamping) {
                 EXPECT_TRUE(result.outcome == RelaxationOutcome::undecided ||
                             result.outcome == RelaxationOutcome::equilibrium)
                     << local << " " << viscous << " " << height;
-                // J/m, of a block that falls by its settlement; what is not damped goes on swinging.
+                // The bound, J/m, is that of a fall by the settlement; what is not damped goes on swinging.
                 const double weight = density * gravity * height;
                 EXPECT_LT(result.energy_balance.kinetic, 13 * weight * weight / stiffness)
                     << local << " " << viscous << " " << height;

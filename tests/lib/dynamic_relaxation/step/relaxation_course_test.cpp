@@ -51,7 +51,7 @@ TEST(PrescribedMotion, TurningTheBaseFindsTheAngleOfFriction) {
         "turned base");
 }
 
-// A tilted frame is the same frame, whether it or gravity has turned.
+// It makes no difference for a tilted frame whether it or gravity has turned.
 TEST(PrescribedMotion, BlocksOnATurnedBaseAreSeenFromIt) {
     const double tilt = degrees(15);
     const auto run = [&](bool base_turns) {
@@ -92,7 +92,7 @@ TEST(Removal, OfASupportLetsABlockFall) {
     EXPECT_NEAR(result.block[2].displacement, gravity * fall * fall / 2, 2e-3 * result.block[2].displacement);
     EXPECT_NEAR(result.block[2].rotation, 0, 1e-9);
     EXPECT_LT(energy_error(result, 0), 0.02);
-    // It lands and comes to rest, a block's height lower.
+    // The block lands and comes to rest, a block's height lower.
     settings = RelaxationSettings();
     settings.collapse_displacement = settings.collapse_rotation = 100;
     const RelaxationResult lands = relax(scene, settings);
@@ -118,7 +118,7 @@ TEST(Consolidation, HeldBlocksGoWhenReleased) {
                 const Motion& held = state.motion[0];
                 moved_while_held =
                     std::max(moved_while_held, std::abs(held.x) + std::abs(held.y) + std::abs(held.angle));
-                // What leans on it has moved no more than springs give.
+                // The block that leans on it has moved no more than the springs give way.
                 EXPECT_LT(std::abs(state.motion[1].x), 1e-4);
             }
             return true;
@@ -152,7 +152,7 @@ TEST(Start, RampedAndDroppedSettleWherePreloadedStarts) {
     ASSERT_LT(preloaded.y, -0.4 * settlement);
     for (const auto start : {RelaxationStart::ramped, RelaxationStart::dropped}) {
         const Motion other = settled(start);
-        // Unbalanced by 1e-8 of the weight or less, over springs of which none has slipped.
+        // The start is unbalanced by 1e-8 of the weight or less, over springs of which none has slipped.
         EXPECT_NEAR(other.y, preloaded.y, 1e-6 * settlement);
         EXPECT_NEAR(other.angle, preloaded.angle, 1e-6 * settlement);
         if (start == RelaxationStart::ramped) {
@@ -171,14 +171,14 @@ TEST(Start, TellsHowFarFromBalanceItIs) {
     const RelaxationResult stands = relax(scene_of(plane), settings);
     ASSERT_TRUE(stands.start_balance);
     EXPECT_LE(stands.start_balance->unbalanced_ratio, settings.equilibrium_ratio / 10);
-    // What friction lacks along the plane, over the weight; pressed harder than by its weight, the block would lack a
-    // little less, at a right angle to the greatest force of the plane.
+    // The least unbalance is what friction lacks along the plane, over the weight; pressed harder than by its weight,
+    // the block lacks a little less, at a right angle to the greatest force of the plane.
     plane.tilt = degrees(31);
     const double lacking = std::sin(plane.tilt) - std::cos(plane.tilt) * std::tan(plane.friction);
     const RelaxationResult slides = relax(scene_of(plane), settings);
     ASSERT_TRUE(slides.start_balance);
     EXPECT_GT(slides.start_balance->unbalanced_ratio, lacking * std::cos(plane.friction));
-    EXPECT_LT(slides.start_balance->unbalanced_ratio, 0.1);  // 1 where nothing carries it
+    EXPECT_LT(slides.start_balance->unbalanced_ratio, 0.1);  // it is 1 where nothing carries the block
     settings.start = RelaxationStart::dropped;
     EXPECT_FALSE(relax(scene_of(plane), settings).start_balance);
 }

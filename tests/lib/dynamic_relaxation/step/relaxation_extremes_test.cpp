@@ -17,12 +17,12 @@ double toppling_law(const OnPlane& plane) {
     return slope - std::sqrt(1 + slope * slope) / plane.stiffness_ratio;
 }
 
-// Energy far below what a fall by a hair turns over.
+// This energy is far below what a fall by a hair turns over.
 double rounding(const OnPlane& plane) {
     return 1e-6 * plane.weight() * plane.width;
 }
 
-// The lesser of sliding and toppling decides; the way of failure too.
+// The smaller of the limits of sliding and toppling decides, also on the kind of failure.
 TEST(Shapes, FromFlatToSlenderFailWhereTheyMust) {
     for (const double slenderness : {0.05, 0.3, 1.0, 5.0, 20.0, 100.0}) {
         for (const double friction : {0.3, 30.0, 60.0, 89.0}) {
@@ -34,7 +34,7 @@ TEST(Shapes, FromFlatToSlenderFailWhereTheyMust) {
             const double topples = toppling_law(plane);
             const double slides = std::tan(plane.friction);
             const double limit = std::min(topples, slides);
-            // The toppling law holds to 0.5 %. What slides must get somewhere before the time is out.
+            // The toppling law holds to 0.5 %. A sliding block must reach its threshold before the time is out.
             const double off = slides < topples ? 0.02 : 0.005;
             const auto with_tilt = [&](double tangent) {
                 plane.tilt = std::atan(tangent);
@@ -195,7 +195,7 @@ TEST(Step, FromSmallToAboveTheStableOne) {
             const RelaxationResult result = relax(scene_of(plane), settings);
             EXPECT_EQ(result.outcome, fails ? RelaxationOutcome::onset : RelaxationOutcome::equilibrium) << share;
             EXPECT_LE(result.cost.step, settings.step_fraction * stable * 1.0001) << share;
-            // A whole number of steps makes one of those asked for.
+            // A whole number of steps makes one step as asked for.
             const double parts = *settings.time_step / result.cost.step;
             EXPECT_NEAR(parts, std::round(parts), 1e-9 * parts) << share;
             EXPECT_LT(energy_error(result, rounding(plane)), 0.02) << share;
@@ -203,7 +203,7 @@ TEST(Step, FromSmallToAboveTheStableOne) {
     }
 }
 
-// Blocks in a row drawn a little apart or into each other: nothing flies off, and what falls has gained no energy.
+// Blocks in a row are drawn a little apart or into each other: nothing flies off, and no falling block gains energy.
 TEST(Gaps, AndOverlapsInADrawing) {
     constexpr double ratio = 1e4;  // W/k = 1e-4: an overlap of 1e-3 is the most that is accepted
     for (const double gap : {-1e-3, -5e-4, -1e-6, 0.0, 1e-9, 1e-6, 1e-3}) {
@@ -218,7 +218,7 @@ TEST(Gaps, AndOverlapsInADrawing) {
             RelaxationSettings settings;
             settings.start = start;
             const RelaxationResult result = relax(scene, settings);
-            // No limit of a block alone is near: it settles, wherever that is.
+            // The tilt is far from any limit of a single block, so that it settles, wherever that is.
             EXPECT_EQ(result.outcome, RelaxationOutcome::equilibrium) << gap;
             for (std::size_t block = 0; block < 3; ++block) {
                 // An overlap throws a block up by v^2/2g = k o^2 / 2 W, 5e-3 m here at most, each with friction.
@@ -230,7 +230,7 @@ TEST(Gaps, AndOverlapsInADrawing) {
     }
 }
 
-// Faces that differ from the vertical by up to 0.01 deg, and by a hair.
+// The faces differ from the vertical by up to 0.01 deg, and by a hair.
 TEST(Faces, NearlyVertical) {
     for (const double lean : {-0.01, -1e-4, -1e-8, 0.0, 1e-8, 1e-4, 0.01}) {
         const double offset = 3 * std::tan(degrees(lean));
@@ -246,14 +246,14 @@ TEST(Faces, NearlyVertical) {
             scene.gravity.tilt = scene.gravity.final_tilt = degrees(tilt);
             return relax(scene, until_onset()).outcome;
         };
-        // 18.629 for upright ones; the lean itself changes it by about as much as itself, and the blocks jam late.
+        // Upright faces have 18.629; a lean changes it by about as much as itself, and the blocks jam late.
         EXPECT_EQ(at_tilt(18.629 - 0.04), RelaxationOutcome::equilibrium) << lean;
         EXPECT_EQ(at_tilt(18.629 + 0.04), RelaxationOutcome::onset) << lean;
     }
 }
 
 TEST(Sizes, SmallBesideLarge) {
-    // The most that is accepted: a pebble of 2 mm and a block of 90 m on one floor; each stands on its own.
+    // This is the most that is accepted: a pebble of 2 mm and a block of 90 m on one floor, each by itself.
     RelaxationScene scene;
     scene.block = {{rectangle(0, 0, 45, 45), density}, {rectangle(-1, 0, 2e-3, 2e-3), density}};
     scene.block.push_back(fixed_block(rectangle(-10, -10, 120, 10)));
