@@ -49,7 +49,7 @@ TEST(JointedSection, JointAlongAFaceCutsNothingOff) {
         EXPECT_EQ(made.block.size(), 100U) << off;
         expect_fills(made, square(10));
     }
-    // Turned by less than the snap distance over the section's length.
+    // The joints are turned by less than the snap distance over the section's length.
     const JointedSection turned =
         cut_in_one_rock(section(square(10), {cut("upright", joint_set(degrees(90) - 1e-5, 1))}));
     EXPECT_EQ(turned.block.size(), 10U);
@@ -84,7 +84,7 @@ TEST(JointedSection, SetEndsOnALine) {
 TEST(JointedSection, OrderOfCuttingMatters) {
     const JointSetCut level = joint_set(0, 1, 0.5);
     JointSetCut ending = joint_set(degrees(90), 1, 0.5);
-    // In a region that the first joint above it does not reach yet, blocks are not cut from side to side.
+    // The first joint above does not yet reach the region, where blocks are not cut from side to side.
     ending.region = {{-1, -1}, {11, -1}, {11, 4.5}, {-1, 4.5}};
     const JointedSection after = cut_in_one_rock(section(square(10), {cut("level", level), cut("b", ending)}));
     const JointedSection before = cut_in_one_rock(section(square(10), {cut("b", ending), cut("level", level)}));
@@ -235,7 +235,7 @@ TEST(JointedSection, ScatterKeepsWithinItsBounds) {
     }
     double least = 10;
     double greatest = 0;
-    // Without the outline's own corners.
+    // The corners of the outline itself are left out.
     for (auto at = std::next(places.begin()); std::next(at, 2) != places.end(); ++at) {
         least = std::min(least, *std::next(at) - *at);
         greatest = std::max(greatest, *std::next(at) - *at);
@@ -381,7 +381,7 @@ TEST(JointedSection, BadGeometryIsNamed) {
     };
     EXPECT_EQ(check({{0, 0}, {1, 0}}), SlopeCheck::outline_too_short);
     EXPECT_EQ(check({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), SlopeCheck::outline_crosses_itself);
-    // A corner on another edge.
+    // A corner lies on another edge.
     EXPECT_EQ(check({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}), SlopeCheck::outline_crosses_itself);
     EXPECT_EQ(check({{0, 0}, {4, 0}, {8, 0}}), SlopeCheck::outline_crosses_itself);
     // The case's own corner is named, whether or not it repeats some: the top is crossed by the notch below it.
@@ -455,7 +455,7 @@ TEST(JointedSection, TooManyBlocksAreRefusedBeforeTheyAreCut) {
     };
     EXPECT_EQ(refused({cut("a", joint_set(degrees(90), 2e-5)), cut("b", joint_set(0, 2e-5))}), 1U);
     EXPECT_EQ(refused({cut("a", joint_set(degrees(90), 7e-4)), cut("b", joint_set(0, 7e-4))}), 1U);
-    // In a region that is small enough it may be as fine.
+    // In a small region the set may be as fine.
     JointSetCut fine = joint_set(0, 7e-4);
     fine.region = {{-1, 0.4}, {2, 0.4}, {2, 0.5}, {-1, 0.5}};
     const JointedSection made =

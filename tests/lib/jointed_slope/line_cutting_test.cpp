@@ -53,7 +53,7 @@ TEST(LineCutting, LinesThatMeetInsideABlockCutABlockOut) {
         EXPECT_NEAR(areas[1], 36, 1e-9);  // the rest is divided at the foot of the crack, since blocks are convex
         EXPECT_EQ(made.intact_edges, 1U);
     }
-    // Mirrored, the same to the last bit.
+    // The mirrored section is the same to the last bit.
     const auto mirrored = [](std::vector<SectionPoint> points) {
         for (SectionPoint& point : points) {
             point.x = -point.x;
@@ -65,7 +65,7 @@ TEST(LineCutting, LinesThatMeetInsideABlockCutABlockOut) {
         cut_in_one_rock(section(mirrored(square(10)), {cut("plane", line(mirrored({side, past_side}))),
                                                        cut("crack", line(mirrored({{6, 5.5}, {6, 11}})))}));
     EXPECT_EQ(sorted_vertices(one), sorted_vertices(other, -1));
-    // One joint in two parts, end to end or one past the other.
+    // One joint is drawn in two parts, end to end or one past the other.
     for (const double end : {4.0, 4.5}) {
         const JointedSection made = cut_by({{{-1, 5}, {end, 5}}, {{4, 5}, {11, 5}}});
         expect_fills(made, square(10));
@@ -88,7 +88,7 @@ TEST(LineCutting, LineEndsOnAJointThatIsCutLater) {
 }
 
 TEST(LineCutting, LinesThatMissEachOtherOrEndInRockCutNothing) {
-    // 5 cm apart, with a snap distance of 1 mm.
+    // The lines end 5 cm apart, with a snap distance of 1 mm.
     const JointedSection made = cut_in_one_rock(section(
         square(10), {cut("plane", line({{-1, 4. / 3}, {6, 6}})), cut("crack", line({{6.05, 6.1}, {6.05, 11}}))}));
     EXPECT_EQ(made.block.size(), 1U);

@@ -69,7 +69,7 @@ TEST(FlexuralToppling, GoodmanAndBraysCriterion) {
     EXPECT_EQ(topples(face(70, 102.5), plane(85, 315)), Feasibility::outside_lateral_limit);
     EXPECT_EQ(topples(face(70, 102.5), plane(15, 282.5), 0), Feasibility::no_slip_between_layers);
     EXPECT_EQ(topples(face(70, 102.5), plane(0, 282.5), 0), Feasibility::does_not_dip_into_slope);
-    // Vertical layers, whichever of their two dip directions is written down: the face alone has to be steep enough.
+    // Vertical layers may be written with either of two dip directions: only the face has to be steep enough.
     for (const double dip_direction : {102.5, 282.5}) {
         EXPECT_NEAR(
             flexural_toppling(face(70, 102.5), plane(90, dip_direction), 0, degrees(30)).critical_friction_angle,
@@ -77,7 +77,7 @@ TEST(FlexuralToppling, GoodmanAndBraysCriterion) {
     }
 }
 
-// Aside by 25 deg, the layers' dip in the section across the face is the apparent dip atan(tan 80 cos 25).
+// Layers that strike 25 deg aside have, in the section across the face, the apparent dip atan(tan 80 cos 25).
 TEST(FlexuralToppling, ObliqueLayersByTheirApparentDip) {
     const double apparent = std::atan(std::tan(degrees(80)) * std::cos(degrees(25)));
     const auto verdict = flexural_toppling(face(70, 0), plane(80, 205), 0, degrees(30));
@@ -141,7 +141,7 @@ TEST(WedgeSliding, NamesTheReason) {
               Feasibility::does_not_daylight);
     EXPECT_EQ(wedge_sliding(face(70, 0), plane(50, 150), plane(50, 150), degrees(30)).feasibility,
               Feasibility::planes_parallel);
-    // Opposite dips: a level line, wherever the face looks.
+    // Planes with opposite dips meet in a level line, whatever direction the face has.
     for (const double azimuth : {0.0, 60.0, 150.0, 240.0}) {
         EXPECT_EQ(wedge_sliding(face(70, azimuth), plane(50, 150), plane(60, 330), 0).feasibility,
                   Feasibility::flatter_than_friction);
@@ -262,15 +262,15 @@ TEST(Kinematics, DelaboleSets) {
     const JointSetFeasibility& toppling_set = result.joint_set[1];
     const JointSetFeasibility& flat_set = result.joint_set[2];
     const JointSetFeasibility& cleavage = result.joint_set[3];
-    // Shorters are steeper than the face: they release, they do not carry.
+    // Shorters are steeper than the face: they release blocks but do not carry them.
     EXPECT_EQ(shorters.planar_sliding.at_mean, Feasibility::does_not_daylight);
     EXPECT_EQ(shorters.planar_sliding.feasible_share, 0);
     // 70 - (90 - 85).
     EXPECT_EQ(toppling_set.flexural_toppling.at_mean, Feasibility::feasible);
     EXPECT_NEAR(toppling_set.flexural_toppling.critical_friction_angle, degrees(65), 1e-12);
     EXPECT_GT(toppling_set.flexural_toppling.feasible_share, 0.4);
-    // Set C would slide, were it not scarce. The dip is always under the apparent face dip; 5/8 of its dip directions,
-    // 90 to 122.5, lie within the limit: four standard errors.
+    // Set C would slide if it were not scarce. The dip is always under the apparent face dip; 5/8 of its dip
+    // directions, 90 to 122.5, lie within the limit: four standard errors.
     EXPECT_EQ(flat_set.planar_sliding.at_mean, Feasibility::feasible);
     EXPECT_NEAR(flat_set.planar_sliding.feasible_share, 32.5 / 40, 4 * std::sqrt(0.81 * 0.19 / 1000));
     // Cleavage dips into the slope, steeper than 20 deg: neither slides nor makes a base.

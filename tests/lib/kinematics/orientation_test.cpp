@@ -21,13 +21,13 @@ void expect_direction(const Direction& actual, const Direction& expected) {
 
 TEST(Orientation, DirectionsByHand) {
     const double half = std::sqrt(0.5);
-    // 45 deg to the east: the normal leans east, the dip vector goes east and down.
+    // The plane dips 45 deg to the east: its normal leans east, the dip vector goes east and down.
     expect_direction(upward_normal({degrees(45), degrees(90)}), {half, 0, half});
     expect_direction(dip_vector({degrees(45), degrees(90)}), {half, 0, -half});
-    // Vertical, dipping north; level.
+    // One plane is vertical and dips north, the other is level.
     expect_direction(upward_normal({degrees(90), 0}), {0, 1, 0});
     expect_direction(upward_normal({0, degrees(77)}), {0, 0, 1});
-    // 30 deg towards 210.
+    // The line plunges 30 deg towards 210.
     expect_direction(direction_of({degrees(30), degrees(210)}), {-std::sqrt(3) / 4, -0.75, -0.5});
 }
 

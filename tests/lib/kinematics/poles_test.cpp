@@ -79,7 +79,7 @@ TEST(Poles, BoundsHoldWhatTheyPromise) {
     const double deviation = std::sqrt(0.95 * 0.05 / repetitions);
     EXPECT_NEAR(static_cast<double>(held_concentration) / repetitions, 0.95, 3 * deviation);
     EXPECT_NEAR(static_cast<double>(held_mean) / repetitions, 0.95, 3 * deviation);
-    // The mean is that of the same poles, which lie somewhat nearer to it than to the true one: up to 1 / (2 N).
+    // The mean is that of the same poles, which lie up to 1 / (2 N) nearer to it than to the true one.
     EXPECT_NEAR(inside / (25.0 * repetitions), 0.683, 0.02);
 }
 
@@ -156,7 +156,7 @@ TEST(Poles, AStrayBelongsToNoSet) {
         members += set ? 1 : 0;
     }
     EXPECT_EQ(members, 27U);
-    // The sets are those of their members alone.
+    // Each set is described by its members alone.
     const std::vector<Orientation> second(planes.begin() + 14, planes.begin() + 27);
     const FisherStatistics statistics = fisher_statistics(second, alike(13));
     EXPECT_NEAR(clusters.sets[1].concentration, statistics.concentration, 1e-9 * statistics.concentration);
@@ -256,7 +256,7 @@ TEST(Poles, KambsDensityIsTheExcessOverUniform) {
     for (const Orientation& plane : planes) {
         poles.push_back(upward_normal(plane));
     }
-    // By the definition of a standard deviation, over many places.
+    // Over many places the standard deviation is as it is defined.
     double sum = 0;
     double squares = 0;
     std::vector<Orientation> places;
@@ -268,7 +268,7 @@ TEST(Poles, KambsDensityIsTheExcessOverUniform) {
     }
     EXPECT_NEAR(sum / 500, 0, 0.2);      // 3 / sqrt(500) and what the poles share
     EXPECT_NEAR(squares / 500, 1, 0.3);  // likewise
-    // All poles at one place: N out of N, against N A +- sqrt(N A (1 - A)) with A = 9 / (N + 9).
+    // All poles lie at one place: N out of N, against N A +- sqrt(N A (1 - A)) with A = 9 / (N + 9).
     const std::vector<Direction> together(9, Direction(0, 0, 1));
     EXPECT_NEAR(kamb_density(together, alike(9), Direction(0, 0, 1)), (9 - 4.5) / std::sqrt(9 * 0.25), 1e-12);
 }

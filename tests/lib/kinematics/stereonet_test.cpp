@@ -38,7 +38,7 @@ TEST(Stereonet, DirectionsComeBack) {
             for (double y = -0.8; y <= 0.8; y += 0.1) {
                 const Direction direction = direction_at({x, y}, projection);
                 EXPECT_NEAR(direction.norm(), 1, 1e-14);
-                // Away from the equal-area net's outer rim nothing is lost but roundings.
+                // Away from the outer rim of the equal-area net only rounding is lost.
                 EXPECT_NEAR((projected(direction, projection) - Point(x, y)).norm(), 0, 1e-14);
             }
         }
@@ -111,7 +111,7 @@ bool inside(const Polyline& outline, const Point& point) {
     return result;
 }
 
-// The zones drawn and the verdicts given are the same thing.
+// The zones drawn agree with the verdicts.
 TEST(Stereonet, ZonesHoldExactlyWhatIsFeasible) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> share(0, 1);

@@ -6,7 +6,7 @@
 namespace delabole {
 namespace {
 
-// A few eliminations on numbers of the order of 1.
+// A few eliminations round numbers of the order of 1.
 constexpr double rounding = 1e-12;
 
 TEST(Infeasibility, OfEquationsWithAndWithoutASolution) {
@@ -18,8 +18,8 @@ TEST(Infeasibility, OfEquationsWithAndWithoutASolution) {
     EXPECT_NEAR(infeasibility({0, 0}, {0}), 0, rounding);
 }
 
-// Right sides made from unknowns that are not negative, half of them zero: degenerate, and there is a solution. One
-// equation more, that the sum of all unknowns be lower than it can be: there is none.
+// The right sides are made from unknowns that are not negative, half of them zero: a degenerate solution exists. One
+// more equation asks for a sum of all unknowns lower than possible: then there is none.
 TEST(Infeasibility, OfRandomEquations) {
     RandomProblem random(61);
     Infeasibility<double> infeasibility;

@@ -12,7 +12,7 @@
 namespace delabole {
 namespace {
 
-// Full columns, or every column with the rows within so many of the diagonal.
+// Each column has the rows within `reach` of the diagonal, or all rows.
 SparsePattern band(int size, int reach) {
     SparsePattern pattern;
     for (int column = 0; column < size; ++column) {
@@ -37,7 +37,7 @@ Eigen::MatrixXd dense(SparseSystem& system) {
     return matrix;
 }
 
-// Again and again with other values: pivots are kept, and chosen anew where they have become bad.
+// The system is solved repeatedly with other values: pivots are kept, and chosen anew once they have become bad.
 TEST(SparseSystem, SolvesWhatDenseEliminationSolves) {
     SparseSystem system(band(60, 5));
     std::mt19937 random(1);
@@ -52,7 +52,7 @@ TEST(SparseSystem, SolvesWhatDenseEliminationSolves) {
         Eigen::VectorXd found = matrix * solution;
         const Eigen::VectorXd right = found;
         ASSERT_TRUE(system.solve(found));
-        // Backward error: some hundred roundings, and as much growth as makes pivots to be chosen anew.
+        // The backward error is some hundred roundings, times the growth at which pivots are chosen anew.
         EXPECT_LT((matrix * found - right).norm(), 1e-8 * (matrix.norm() * found.norm() + right.norm()));
     }
 }
@@ -73,7 +73,7 @@ SparsePattern grid(int wide, int high) {
     return pattern;
 }
 
-// Not symmetric, with diagonals as large as in stiffness with friction.
+// The matrix is not symmetric, with diagonals as large as in stiffness with friction.
 void set_values(SparseSystem& system, std::mt19937& random) {
     std::uniform_real_distribution<double> number(-1, 1);
     const SparsePattern& pattern = system.pattern();
@@ -121,7 +121,7 @@ TEST(SparseSystem, SolvesWhatNeedsPivotsOfOtherGroups) {
     const Eigen::VectorXd right = Eigen::VectorXd::Ones(matrix.rows());
     Eigen::VectorXd found = right;
     ASSERT_TRUE(system.solve(found));
-    // As above for KLU.
+    // The tolerance is that of KLU above.
     EXPECT_LT((matrix * found - right).norm(), 1e-8 * (matrix.norm() * found.norm() + right.norm()));
 }
 
@@ -157,7 +157,7 @@ TEST(SparseSystem, SaysWhereThereIsNoSolution) {
     SparseSystem infinite(band(3, 1));
     std::ranges::fill(infinite.values(), std::numeric_limits<double>::quiet_NaN());
     EXPECT_FALSE(infinite.solve(vector));
-    // It can be used on.
+    // The system can still be used.
     for (std::size_t entry = 0; entry < zero.values().size(); ++entry) {
         zero.values()[entry] = entry % 3 == 0 ? 2 : 0.5;
     }

@@ -99,8 +99,8 @@ TEST(TensileStrength, CarriesAHangingBlock) {
 }
 
 TEST(TensileStrength, HoldsTheHeelOfATiltedBlock) {
-    // Heel pulls: (W sin a/2 - W cos b/2) / b = t b / 2 (the corner stands for half of the base). Nothing presses on
-    // it: its shear is borne by cohesion.
+    // The heel pulls: (W sin a/2 - W cos b/2) / b = t b / 2 (the corner stands for half of the base). Nothing presses
+    // on it, so that cohesion bears its shear.
     OnPlane plane;
     plane.height_to_width = 3;
     plane.friction = degrees(60);
@@ -136,7 +136,7 @@ TEST(ResidualCohesion, LetsABlockStandUpToLimitEquilibrium) {
             return scene;
         };
         expect_threshold([&](double part) { return scene_at(part, 1); }, "a/b " + std::to_string(slenderness));
-        // A slip of less than the threshold.
+        // The slip is less than the threshold.
         RelaxationScene shaken = scene_at(0.8, 1);
         shaken.shaking = {{0.1, {0, 0}}, {0.15, {3, 0}}, {0.2, {0, 0}}};
         EXPECT_EQ(relax(shaken, until_onset()).outcome, RelaxationOutcome::equilibrium) << slenderness;
@@ -160,7 +160,7 @@ TEST(PeakFriction, DropsToTheResidualWithTheFirstSlip) {
     EXPECT_EQ(relax(scene_at(30, true), until_onset()).outcome, RelaxationOutcome::onset);
     // Below the residual it comes to rest again, a few centimetres on.
     EXPECT_EQ(relax(scene_at(24, true), RelaxationSettings()).outcome, RelaxationOutcome::equilibrium);
-    // And slides under the residual.
+    // Under the residual friction angle it slides.
     RelaxationSettings settings = unlimited(0.5);
     settings.local_damping = 0;
     const RelaxationResult slides = relax(scene_at(40, false), settings);
@@ -217,7 +217,7 @@ Resultant resultant_on(std::size_t block, const std::vector<FacePressure>& press
     return sum;
 }
 
-// Faces that share all, or a part of each; level, inclined, and with a corner within the straight face of one.
+// The faces share all or a part of each; they are level, inclined, or straight with a corner on one of them.
 TEST(JointWater, PressesBothBlocksAlikeAlongOneLine) {
     const Polygon<> column = rectangle(0, 0, 1, 3);
     const Polygon<> cornered{{1, 1}, {3, 1}, {3, 5}, {1, 5}, {1, 2.5}};
@@ -263,7 +263,7 @@ TEST(JointWater, IsNotBetweenBlocksThatShareNoFace) {
     EXPECT_TRUE(pressures_of({0, 2, 1, 1}, bodies).empty());
 }
 
-// Out of a wall without friction: p h / 2 = W tan(phi) where the pressure falls off from p at the foot to nothing.
+// A wall without friction: p h / 2 = W tan(phi) where the pressure falls off from p at the foot to nothing.
 TEST(JointWater, PushesABlockAwayFromAWall) {
     OnPlane plane = flat(30);
     plane.height_to_width = 0.2;
@@ -341,7 +341,7 @@ TEST(Shaking, IsHorizontalAndVerticalForGravityHoweverTheDrawingIsTilted) {
     EXPECT_NEAR(sliding_acceleration(degrees(30), degrees(20), 0), 1.729, 5e-4);  // by hand, printed digits
 }
 
-// About the toe, on the side that inertia points to: the lean of the resultant is that of the diagonal, b / a.
+// The block turns about the toe, on the side that inertia points to, if the resultant leans by the diagonal, b / a.
 TEST(Shaking, TurnsASlenderBlockOver) {
     for (const double tilt : {0.0, 8.0}) {
         for (const double vertical : {0.0, 0.3 * gravity}) {
@@ -375,7 +375,7 @@ TEST(Shaking, DownwardByMoreThanGravityLiftsABlock) {
     }
 }
 
-// Gravity that turns in the drawing takes the axes of shaking along.
+// The axes of shaking turn with gravity.
 TEST(Shaking, TurnsWithGravity) {
     RelaxationScene scene = scene_of({});
     scene.gravity.final_tilt = degrees(30);
@@ -384,7 +384,7 @@ TEST(Shaking, TurnsWithGravity) {
     for (const double time : {1.0, 2.5, 3.0}) {
         const PlanePoint<> down = gravity_at(scene.gravity, time) / gravity;
         const PlanePoint<> shaking = shaking_at(scene, time);
-        // Rounding of sines and cosines.
+        // Sines and cosines are rounded.
         EXPECT_NEAR(shaking.dot(down), -1, 1e-14) << time;
         EXPECT_NEAR(shaking.x() * -down.y() + shaking.y() * down.x(), 2, 1e-14) << time;
     }
@@ -404,7 +404,7 @@ TEST(Shaking, OfARecordEndsWithIt) {
     EXPECT_EQ(at(1e6), 2);
     scene.shaking = {};
     EXPECT_EQ(at(0), 0);
-    // The velocity of a fixed block goes on.
+    // A fixed block keeps its velocity.
     const PrescribedMotion motion{1, {{1, {2, 0}}, {3, {4, 0}}}};
     Motion moved;
     prescribe(motion, make_bodies(scene), 1e6, moved);
@@ -425,7 +425,7 @@ TEST(Shaking, ABlockComesToRestAfterIt) {
     EXPECT_EQ(relax(scene, RelaxationSettings()).outcome, RelaxationOutcome::collapse);
 }
 
-// On a belt that takes the place of gravity, dipping as it would: the belt's drag is the weight, at most.
+// The belt takes the place of gravity and dips as it would: the belt's drag is the weight, at most.
 TEST(Shaking, OnABeltIsAlongItsDirection) {
     RelaxationScene upright = scene_of(flat(30));
     upright.belt = Belt{0.1, degrees(30)};

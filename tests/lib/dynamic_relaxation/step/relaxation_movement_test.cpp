@@ -10,7 +10,7 @@ namespace {
 
 using namespace relaxation_scenes;
 
-// Motion in true time, which goes on whatever happens.
+// The motion is in true time and goes on whatever happens.
 RelaxationSettings for_so_long(double duration) {
     RelaxationSettings settings;
     settings.local_damping = 0;
@@ -20,7 +20,7 @@ RelaxationSettings for_so_long(double duration) {
     return settings;
 }
 
-// Since the start, of a corner of block 0.
+// Returns the displacement since the start of a corner of block 0.
 PlanePoint<> way_of(const RelaxationScene& scene, const RelaxationSettings& settings, const PlanePoint<>& corner) {
     Motion first;
     Motion last;
@@ -43,7 +43,7 @@ TEST(BaseSlip, IsTheWayOfTheToeOfABlockThatTurnsOverIt) {
     const BlockOutcome outcome = relax(scene, for_so_long(0.6)).block[0];
     EXPECT_EQ(outcome.movement, BlockMovement::slides_forward_and_rotates);
     ASSERT_LT(way, -0.4);
-    // A step late, at 1.5 m/s some 0.4 mm, and before it turns both corners slip.
+    // Slip is a step late, at 1.5 m/s some 0.4 mm, and before the block turns both corners slip.
     EXPECT_NEAR(outcome.base_slip, way, 2e-3 * std::abs(way));
 }
 
@@ -69,7 +69,7 @@ TEST(BaseSlip, IsThatOverTheFaceBelow) {
     scene.force = {{0, {0.5, 0.5}, {plane.weight(), 3 * plane.weight()}}};  // up along the wall
     const BlockOutcome outcome = relax(scene, for_so_long(0.3)).block[0];
     EXPECT_GT(outcome.displacement, 0.3);
-    EXPECT_NEAR(outcome.base_slip, 0, 1e-4);  // of what it slips while it leaves the base
+    EXPECT_NEAR(outcome.base_slip, 0, 1e-4);  // the block slips a little while it leaves the base
     EXPECT_EQ(outcome.movement, BlockMovement::moves);
 }
 
@@ -88,7 +88,7 @@ TEST(BlockMovement, OfABlockOnOneThatSlides) {
     EXPECT_EQ(result.block[2].movement, BlockMovement::fixed);
 }
 
-// Onset is when the first one passes its threshold; others have set out with it.
+// Onset is when the first block passes its threshold; others may have begun to move with it.
 TEST(BlockMovement, AtOnsetThoseThatHaveSetOutAreNamed) {
     OnPlane plane;
     plane.tilt = degrees(25);
@@ -108,7 +108,7 @@ TEST(BlockMovement, AtOnsetThoseThatHaveSetOutAreNamed) {
     EXPECT_EQ(result.block[1].movement, BlockMovement::slides_forward);
 }
 
-// A base that gathers speed, far below what friction can pass on, carries its block along for metres.
+// A base that accelerates by far less than friction can transmit carries its block along for metres.
 TEST(BlockMovement, IsSeenFromABaseThatMoves) {
     OnPlane plane;
     RelaxationScene scene = scene_of(plane);
@@ -121,9 +121,9 @@ TEST(BlockMovement, IsSeenFromABaseThatMoves) {
     EXPECT_EQ(result.outcome, RelaxationOutcome::equilibrium);
     EXPECT_FALSE(result.onset_time);
     EXPECT_EQ(result.block[0].movement, BlockMovement::stays);
-    EXPECT_LT(result.block[0].displacement, 1e-4);  // give of the springs
+    EXPECT_LT(result.block[0].displacement, 1e-4);  // the springs give way
 
-    // Faster than friction can: g tan(30 deg) = 5.66 m/s2.
+    // The base accelerates by more than friction can transmit: g tan(30 deg) = 5.66 m/s2.
     scene.motion = {{1, {{0, {0, 0}}, {4, {40, 0}}}}};
     settings.stop_at_onset = true;
     const RelaxationResult left = relax(scene, settings);
@@ -141,7 +141,7 @@ TEST(EnergyOfRemoval, IsBookedWithTheBlock) {
     EXPECT_NEAR(result.energy_balance.residual_share(), 0, 1e-3);  // work of the last half step
 }
 
-// A run that goes on whatever happens is judged by how it ends: these were all "undecided".
+// A run that goes on whatever happens is judged by how it ends: these runs were all "undecided" once.
 TEST(OutcomeAtTheEnd, IsEquilibriumOrOnsetUnderEveryStop) {
     OnPlane plane;
     plane.tilt = degrees(10);
@@ -154,7 +154,7 @@ TEST(OutcomeAtTheEnd, IsEquilibriumOrOnsetUnderEveryStop) {
     RelaxationSettings short_run = settings;
     short_run.stop_at_equilibrium = true;
     EXPECT_EQ(relax(scene_of(plane), short_run).outcome, RelaxationOutcome::onset);
-    // Less than the thresholds, and yet no balance.
+    // The block has not passed the thresholds, and yet is not in balance.
     short_run.duration = 0.01;
     EXPECT_EQ(relax(scene_of(plane), short_run).outcome, RelaxationOutcome::undecided);
 }

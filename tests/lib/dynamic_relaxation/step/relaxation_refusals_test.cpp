@@ -33,7 +33,7 @@ void expect_refused(const RelaxationScene& scene, SceneCheck check, std::size_t 
     EXPECT_EQ(fault.index, index) << what;
 }
 
-// A scene with everything in it, and valid.
+// A valid scene with everything in it.
 RelaxationScene full_scene() {
     RelaxationScene scene = scene_of({});
     scene.block.push_back({rectangle(1, 0, 1, 1), density, false, true, {0, 0, 0, 0}});
@@ -208,7 +208,7 @@ TEST(Refusals, MaterialsOutOfRange) {
     expect_refused(scene_of(soft), SceneCheck::stiffness_too_stiff, 0, "k b/W = 1e14");
 }
 
-// Overlap is measured with what the block's own weight would make: W/k, here 1e-6 m.
+// The unit of overlap is what the block's own weight would make: W/k, here 1e-6 m.
 TEST(Refusals, OverlapsNameBothBlocks) {
     const auto sunk = [](double overlap) {
         RelaxationScene scene = scene_of({});
@@ -225,14 +225,14 @@ TEST(Refusals, OverlapsNameBothBlocks) {
         EXPECT_EQ(std::min(fault.index, *fault.other), 0U) << overlap;
         EXPECT_EQ(std::max(fault.index, *fault.other), 1U) << overlap;
     }
-    // A cross: no corner of one is in the other.
+    // The blocks form a cross: no corner of one is in the other.
     RelaxationScene cross = scene_of({});
     cross.block.push_back({rectangle(-1, 0.4, 3, 0.2), density});
     const SceneFault crossed = fault_of(cross);
     EXPECT_EQ(word(crossed.check), "overlap_at_start");
     EXPECT_EQ(crossed.index, 0U);
     EXPECT_EQ(crossed.other, 2U);
-    // One within the other, and one on the very same place.
+    // One block lies within the other, or both lie on the very same place.
     RelaxationScene inside = scene_of({});
     inside.block.push_back({rectangle(0.4, 0.4, 0.2, 0.2), density});
     EXPECT_EQ(word(fault_of(inside).check), "overlap_at_start");
@@ -246,7 +246,7 @@ TEST(Refusals, OverlapsNameBothBlocks) {
 }
 
 TEST(Refusals, SizesTooDifferent) {
-    // A pebble of 1 mm beside a block of 100 m: the step of one is not that of the other.
+    // A pebble of 1 mm and a block of 100 m cannot share a step.
     RelaxationScene scene;
     scene.block = {{rectangle(0, 0, 100, 100), density}, {rectangle(-1, 0, 1e-3, 1e-3), density}};
     scene.block.push_back(fixed_block(rectangle(-10, -10, 120, 10)));

@@ -47,24 +47,24 @@ TEST(Corners, FourBricksMeetInAPointAndStand) {
     }
 }
 
-// Blocks whose corners touch and nothing else: nothing flies apart.
+// Blocks that touch only at their corners do not fly apart.
 TEST(Corners, OnACornerDoNotExplode) {
     const double side = std::sqrt(0.5);
     const auto diamond = [&](double x, double y) {
         return Polygon<>{{x, y}, {x + side, y + side}, {x, y + 2 * side}, {x - side, y + side}};
     };
     const std::vector<std::vector<RelaxationBlock>> packs{
-        // On the very corner of a block that is not beside it.
+        // A block stands on the very corner of one that is not beside it.
         {{rectangle(0, 0, 1, 1), density}, {rectangle(1, 1, 1, 1), density}},
-        // Point on point.
+        // A point stands on a point.
         {{diamond(0, 0), density}, {diamond(0, 2 * side), density}},
-        // Blunt point on blunt point.
+        // A blunt point stands on a blunt point.
         {{{{0, 0}, {1.5, 1}, {0, 2}, {-1.5, 1}}, density}, {{{0, 2}, {1.5, 3}, {0, 4}, {-1.5, 3}}, density}},
-        // A point on the corner of a block.
+        // A point stands on the corner of a block.
         {{rectangle(0, 0, 1, 1), density}, {diamond(1, 1), density}},
-        // A point where two blocks meet.
+        // A point stands where two blocks meet.
         {{rectangle(0, 0, 1, 1), density}, {rectangle(1, 0, 1, 1), density}, {diamond(1, 1), density}},
-        // Wedges point to point in a row.
+        // Wedges lie point to point in a row.
         {{{{0, 0}, {1, 0.5}, {0, 1}}, density}, {{{1, 0.5}, {2, 0}, {2, 1}}, density}},
     };
     for (std::size_t index = 0; index < packs.size(); ++index) {
@@ -78,7 +78,7 @@ TEST(Corners, OnACornerDoNotExplode) {
         EXPECT_LT(energy_error(result, 1e-6 * density * gravity), 0.02) << index;
         EXPECT_LE(result.energy_balance.kinetic, result.energy_balance.applied + 1e-6 * density * gravity) << index;
         for (std::size_t block = 0; block + 1 < scene.block.size(); ++block) {
-            // Nothing sinks, and nothing is farther away than it can have fallen over.
+            // No block sinks, and none is farther away than it can have fallen over.
             EXPECT_GT(lowest(simulation.state(), simulation.bodies(), block), -1e-3) << index;
             EXPECT_LT(result.block[block].displacement, 4) << index;
         }
@@ -126,7 +126,7 @@ Polygon<> mirrored(Polygon<> outline) {
     return outline;
 }
 
-// Two columns and a wedge on them, none of which fits well.
+// Two columns and a wedge on them do not fit well.
 RelaxationScene irregular(double tilt) {
     RelaxationScene scene = on_floor({{{{0, 0}, {1, 0}, {1, 2.9}, {0, 3.1}}, density},
                                       {{{1, 0}, {2.1, 0}, {2.0, 2.7}, {1, 2.9}}, density},
@@ -148,8 +148,8 @@ TEST(Mirror, ImagesBehaveAsImages) {
         const RelaxationResult other = relax(image, until_onset());
         EXPECT_EQ(one.outcome, other.outcome) << tilt;
         for (std::size_t block = 0; block < 3; ++block) {
-            // Sums are formed in another order; what fails leaves its start as an exponential of time, which makes
-            // the last digits of the first step a few per mille at onset.
+            // Sums are formed in another order; a block that fails leaves its start as an exponential of time, so that
+            // the last digits of the first step are a few per mille at onset.
             const double size = std::abs(one.block[block].rotation) + one.block[block].displacement;
             EXPECT_NEAR(one.block[block].rotation, -other.block[block].rotation, 5e-3 * size + 1e-9)
                 << tilt << " block " << block;
@@ -186,7 +186,7 @@ TEST(Frame, InclinedDrawingOrTiltedGravity) {
     for (const double tilt : {5.0, 15.0, 22.0, 30.0}) {
         const RelaxationScene level = irregular(degrees(tilt));
         RelaxationScene inclined = level;
-        // Dipping to -x: turned anticlockwise.
+        // A scene that dips to -x is turned anticlockwise.
         const double sine = std::sin(degrees(tilt));
         const double cosine = std::cos(degrees(tilt));
         for (RelaxationBlock& block : inclined.block) {
@@ -199,7 +199,7 @@ TEST(Frame, InclinedDrawingOrTiltedGravity) {
         const RelaxationResult other = relax(inclined, until_onset());
         EXPECT_EQ(one.outcome, other.outcome) << tilt;
         for (std::size_t block = 0; block < 3; ++block) {
-            // As for images.
+            // The tolerance is that of mirror images.
             const double size = std::abs(one.block[block].rotation) + one.block[block].displacement;
             EXPECT_NEAR(one.block[block].rotation, other.block[block].rotation, 5e-3 * size + 1e-9) << tilt;
             EXPECT_NEAR(one.block[block].displacement, other.block[block].displacement, 5e-3 * size + 1e-9) << tilt;
@@ -233,7 +233,7 @@ TEST(Fuzz, HeapsOfPolygonsDoNotExplodeOrSink) {
         const std::size_t count = 2 + static_cast<std::size_t>(11 * any(random));
         std::vector<RelaxationBlock> blocks;
         for (std::size_t index = 0; index < count; ++index) {
-            // In three files, each block in a square of its own.
+            // The blocks stand in three files, each in a square of its own.
             const std::size_t file = index % 3;
             const std::size_t floor = index / 3;
             const PlanePoint<> centre(static_cast<double>(file) + 0.05 * any(random),
@@ -244,7 +244,7 @@ TEST(Fuzz, HeapsOfPolygonsDoNotExplodeOrSink) {
         RelaxationSettings settings = unlimited(0.7);
         settings.start = RelaxationStart::dropped;
         settings.local_damping = trial % 2 == 0 ? 0.2 : 0;
-        // The 0.03 m below, of edges of down to 0.1 m.
+        // The limit allows the 0.03 m below, of edges of down to 0.1 m.
         settings.overlap_limit = 0.3;
         ASSERT_EQ(check_start(scene).check, SceneCheck::valid) << "trial " << trial;
         Simulation simulation(scene, settings);
@@ -254,7 +254,7 @@ TEST(Fuzz, HeapsOfPolygonsDoNotExplodeOrSink) {
         const EnergyBalance energy_balance = simulation.energy_balance();
         EXPECT_TRUE(ends_as_blocks_do(simulation.outcome())) << "trial " << trial;
         ASSERT_TRUE(std::isfinite(energy_balance.kinetic)) << "trial " << trial;
-        // No energy from nowhere. What is lost beyond it is that of impacts which last some eight steps.
+        // No energy is gained; what is lost beyond the balance is that of impacts which last some eight steps.
         EXPECT_GT(energy_balance.residual(), -0.02 * energy_balance.turnover()) << "trial " << trial;
         EXPECT_LT(energy_balance.residual(), 0.05 * energy_balance.turnover()) << "trial " << trial;
         for (std::size_t block = 0; block < count; ++block) {

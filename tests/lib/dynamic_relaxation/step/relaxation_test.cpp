@@ -72,7 +72,7 @@ TEST(FreeSlide, FollowsTheEquationOfMotion) {
     settings.duration = 0.5;
     const RelaxationResult result = relax(scene_of(row), settings);
     const double expected = gravity * std::sin(row.tilt) * result.time * result.time / 2;
-    // Leap-frog is exact under a constant force; what is left is the tilt of the block on its springs, W/(k b) = 1e-6.
+    // Leap-frog is exact under a constant force; the error is the tilt of the block on its springs, W/(k b) = 1e-6.
     EXPECT_NEAR(result.block[0].displacement, expected, 1e-5 * expected);
 }
 
@@ -90,7 +90,7 @@ TEST(FreeSlide, FrictionTakesItsShare) {
     const double expected = acceleration * result.time * result.time / 2;
     // The first slip waits until the shear springs are stretched, some 1e-6 of the width.
     EXPECT_NEAR(result.block[0].displacement, expected, 1e-3 * expected);
-    // Slip is booked from the second corner's first slip on.
+    // Slip is counted from the second corner's first slip on.
     EXPECT_NEAR(result.block[0].base_slip, -result.block[0].displacement, 1e-3 * expected);
     EXPECT_NEAR(result.energy_balance.friction,
                 density * 0.5 * gravity * std::cos(row.tilt) * std::tan(row.base_friction) * expected,
@@ -294,7 +294,7 @@ TEST(Books, MomentumIsConserved) {
         centre += bodies.mass[block] * bodies.centroid[block];
     }
     centre /= mass;
-    // Velocities are half a step old.
+    // Velocities lag half a step behind.
     const double time = simulation.state().time - simulation.state().last_step / 2;
     for (std::size_t block = 0; block < 3; ++block) {
         const Motion& motion = simulation.state().motion[block];
@@ -308,11 +308,11 @@ TEST(Books, MomentumIsConserved) {
     ASSERT_GT(speed, 1);  // they did push each other
     EXPECT_NEAR(px, 0, 1e-9 * speed);
     EXPECT_NEAR(py, 0, 1e-9 * speed);
-    // Arms change by the way the blocks have drifted since, 1e-4 of their length.
+    // Lever arms change as the blocks have drifted since, by 1e-4 of their length.
     EXPECT_NEAR(spin, 0, 1e-3 * speed);
 }
 
-// Design: "hundreds of randomised runs gave no blow-up" once contacts are keyed by corner and edge.
+// The design promises that "hundreds of randomised runs gave no blow-up" once contacts are keyed by corner and edge.
 TEST(Books, BalanceInRandomisedDoubleBlocks) {
     std::mt19937 random(677);
     std::uniform_real_distribution<double> any(0, 1);
@@ -383,7 +383,7 @@ TEST(Tilting, InSmallIncrementsReachesTheStaticLimit) {
     EXPECT_LT(result.tilt, degrees(18.75));
 }
 
-// Stands for ten seconds once it has settled for three: to the last bit, nothing moves, and no contact is evaluated.
+// The pack stands for ten seconds once it has settled for three: nothing moves, and no contact is evaluated.
 void expect_no_creep(const BrickPack& pack, RelaxationStart start) {
     const RelaxationScene scene = brick_pack_scene(pack);
     RelaxationSettings settings;
@@ -414,7 +414,7 @@ TEST(Pack, DoesNotCreep) {
     expect_no_creep({8, 6, 1e5, degrees(40), degrees(20)}, RelaxationStart::preloaded);
 }
 
-// The one that other engines were measured with: they creep by 0.07 to 73 mm, or collapse.
+// Other engines were measured with this pack: they creep by 0.07 to 73 mm, or collapse.
 TEST(Pack, OfAThousandBricksDoesNotCreep) {
     expect_no_creep({22, 45, 1e5, degrees(40), degrees(20)}, RelaxationStart::dropped);
 }

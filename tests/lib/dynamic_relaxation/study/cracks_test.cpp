@@ -78,7 +78,7 @@ TEST(Cracks, JointsAreOpenWhereFacesHaveParted) {
     EXPECT_NEAR(open[0].opening, 0.01, 1e-12);  // rounding
     EXPECT_NEAR((open[0].to - open[0].from).norm(), 2, 1e-12);
     EXPECT_TRUE(open_joints(scene, bodies, state, 0.02).empty());
-    // Slid past each other, they are no joint any more.
+    // Blocks that have slid past each other have no joint between them.
     state.motion[1].y = 3;
     EXPECT_TRUE(open_joints(scene, bodies, state, 1e-3).empty());
 }

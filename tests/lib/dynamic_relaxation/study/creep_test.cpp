@@ -1,4 +1,4 @@
-// Starts that creep to the threshold of onset: for searches, which ask whether blocks stand and not how they move.
+// Starts creep to the threshold of onset in searches, which ask whether blocks stand and not how they move.
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/study/critical.hpp"
 #include "tests/lib/dynamic_relaxation/relaxation_scenes.hpp"
@@ -88,7 +88,7 @@ TEST(Creep, FindsTheBracketThatWholeMotionsFind) {
         const CriticalValue crept = critical_of(search.scene_at, search.stands, search.fails, for_searches(true));
         const CriticalValue moved = critical_of(search.scene_at, search.stands, search.fails, for_searches(false));
         ASSERT_EQ(crept.status, CriticalStatus::found);
-        // The same run by run: at a distance from the critical value of a thousandth of a degree too.
+        // Each run agrees, even at a thousandth of a degree from the critical value.
         EXPECT_EQ(crept.stands, moved.stands);
         EXPECT_EQ(crept.fails, moved.fails);
         EXPECT_LT(10 * crept.steps, moved.steps);

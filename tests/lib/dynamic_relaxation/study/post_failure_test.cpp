@@ -31,7 +31,7 @@ RelaxationStudy study_of(std::vector<SectionPoint> outline, double spacing, doub
     return study;
 }
 
-// 10 m long and 6 m high, with an upright face, in blocks of 1 m.
+// The wall is 10 m long and 6 m high, with an upright face, in blocks of 1 m.
 class Wall : public ::testing::Test {
   protected:
     explicit Wall(double scale = 1)
@@ -42,7 +42,7 @@ class Wall : public ::testing::Test {
           now(bodies.size()),
           removed(bodies.size(), 0) {}
 
-    // Of the blocks whose centre is in the rectangle.
+    // Moves the blocks whose centre is in the rectangle.
     void move(double left, double bottom, double right, double top, const std::function<void(std::size_t)>& change) {
         for (std::size_t block = 0; block < bodies.size(); ++block) {
             const PlanePoint<>& centre = bodies.centroid[block];
@@ -78,7 +78,7 @@ class LargeWall : public Wall {
     LargeWall() : Wall(4) {}
 };
 
-// Ground is seen at a thousand places along it.
+// The ground is sampled at a thousand places along it.
 constexpr double station = 10.0 / 1000;
 constexpr double rounding = 1e-9;
 
@@ -110,11 +110,11 @@ TEST_F(Wall, LeavesAStepWhereBlocksHaveFallen) {
     EXPECT_NEAR(found.answer.knee_level, 2, 1e-6);
     EXPECT_NEAR(found.answer.top_level, 6, rounding);
     EXPECT_NEAR(found.answer.lower_angle, 0, 1e-6);
-    // Four metres up in one station.
+    // The ground rises by four metres within one station.
     EXPECT_NEAR(found.answer.upper_angle, std::atan2(4, station), 1e-3);
 }
 
-// Steps of one block each: 45 deg from the toe up to 3 m, upright above.
+// The steps are one block each: 45 deg from the toe up to 3 m, upright above.
 TEST_F(Wall, LowerSurfaceIsThatOfItsSteps) {
     for (int step = 0; step < 3; ++step) {
         shift(step, step, step + 1, 6, -fallen, -fallen);
@@ -123,14 +123,14 @@ TEST_F(Wall, LowerSurfaceIsThatOfItsSteps) {
     EXPECT_NEAR(found.answer.failed_area, 6 + 5 + 4, 1e-6);
     EXPECT_NEAR(found.answer.foot_level, 0, 1e-6);
     EXPECT_NEAR(found.answer.knee_level, 2, 1e-6);
-    // From (0, 0) to the inner end of the third step, (3, 2).
+    // The surface goes from (0, 0) to the inner end of the third step, (3, 2).
     EXPECT_NEAR(found.answer.lower_angle, std::atan2(2, 3), 0.01);
     EXPECT_GT(found.answer.upper_angle, degrees(80));
     // From the line through (0, 0) and (3, 2) the corners in between lie, in units of 1 / sqrt(13), at -2, 1, -1 and 2.
     const auto end_to_end = [](double from, double to) { return (from * from + from * to + to * to) / 3; };
     const double squares =
         end_to_end(0, -2) + end_to_end(-2, 1) + end_to_end(1, -1) + end_to_end(-1, 2) + end_to_end(2, 0);
-    // Corners lie a station off.
+    // The corners lie up to a station off.
     EXPECT_NEAR(found.answer.lower_roughness, std::sqrt(squares / 5 / 13), 2 * station);
     EXPECT_NEAR(found.answer.upper_roughness, 0, station);
 }
@@ -175,7 +175,7 @@ TEST_F(Wall, NamesAndMeasuresCracks) {
     EXPECT_NEAR(found.crack[1].opening, 0.02 - 0.002, 2e-4);
     EXPECT_NEAR(std::abs(found.crack[0].dip), degrees(90), 1e-9);
     EXPECT_EQ(found.answer.joint[0].joint, "upright");
-    // Shares of openings of 5.2 and 1.8 limits.
+    // The joint counts its openings of 5.2 and 1.8 limits by their shares.
     EXPECT_NEAR(found.answer.joint[0].open, 2, 0.1);
     EXPECT_NEAR(found.answer.joint[0].opening, 0.07, 1e-3);
     EXPECT_NEAR(found.answer.joint[0].farthest, 4, rounding);
@@ -202,7 +202,7 @@ TEST_F(Wall, FailsSmoothly) {
     EXPECT_NEAR(before, 3, 3 * 0.005);  // share of four limits
     PostFailureRequest twice{};
     twice.moved_share = 1;
-    EXPECT_NEAR(survey(twice).answer.failed_area, 1.5, 1e-6);  // at the limit
+    EXPECT_NEAR(survey(twice).answer.failed_area, 1.5, 1e-6);  // the displacement is at the limit
 }
 
 TEST_F(Wall, ExcavationIsNoFailure) {
@@ -217,14 +217,14 @@ TEST_F(Wall, ExcavationIsNoFailure) {
 TEST_F(LargeWall, MeasuresInItsOwnSize) {
     shift(0, 8, 12, 24, -1, 0);
     const PostFailure found = survey();
-    // At a quarter of a block of 4 m: the share is one half.
+    // The displacement is a quarter of a block of 4 m: its share is one half.
     EXPECT_NEAR(found.answer.failed_area, 12 * 16 / 2.0, 1e-9);
     ASSERT_EQ(found.crack.size(), 1U);
     EXPECT_NEAR(found.crack[0].position, 12, rounding);
     EXPECT_NEAR(found.crack[0].opening, 1, rounding);
 }
 
-// A run and the loops see the same numbers.
+// A run and the loops over models get the same numbers.
 TEST(PostFailure, IsAmongTheNamedNumbersOfASlope) {
     // Tilted by more than its friction angle the wall slides out over its level joints.
     RelaxationStudy study = study_of({{0, 0}, {4, 0}, {4, 2}, {0, 2}}, 1, degrees(20));

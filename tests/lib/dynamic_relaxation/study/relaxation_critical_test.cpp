@@ -24,7 +24,7 @@ TEST(FindCritical, BracketsTheChangeFromEitherSide) {
         EXPECT_TRUE(probe(critical.stands).outcome == RelaxationOutcome::equilibrium);
         EXPECT_TRUE(probe(critical.fails).outcome == RelaxationOutcome::onset);
         EXPECT_NEAR(critical.value(), change, tolerance);
-        // Two ends, then 14 halvings of 1 to below 1e-4.
+        // The search runs both ends, then 14 halvings of 1 to below 1e-4.
         EXPECT_EQ(critical.runs, 16U);
         EXPECT_EQ(critical.steps, critical.runs * steps_of_a_run);
     }

@@ -43,7 +43,7 @@ RelaxationOutcome outcome_of(const RelaxationStudy& study) {
     return run(study).result.outcome;
 }
 
-// A square, with the first vertex and another one of its base in the middle of an edge, and water on two of its edges.
+// A square has its first vertex and another one of its base in the middle of an edge, and water on two of its edges.
 TEST(RelaxationScene, VerticesOfStraightEdgesAreLeftOut) {
     RelaxationPolygons polygons{};
     polygons.joint = {RelaxationJoint{degrees(30), {}, {}, {}, {}, {}, {}},
@@ -71,7 +71,7 @@ TEST(RelaxationScene, VerticesOfStraightEdgesAreLeftOut) {
     presses(1, 0, 1, 2);
     presses(2, 2, 0, 1);
     presses(3, 4, 0, 1);
-    EXPECT_GE(scene.pressure[4].edge, corners.size());  // drawn nowhere: refused by the check of scenes
+    EXPECT_GE(scene.pressure[4].edge, corners.size());  // there is no such edge: the check of scenes refuses it
 }
 
 TEST(RelaxationScene, StiffnessIsOfTheHeaviestBlockUnlessGiven) {
@@ -82,7 +82,7 @@ TEST(RelaxationScene, StiffnessIsOfTheHeaviestBlockUnlessGiven) {
     row.base.normal_stiffness = 4e9;
     row.base.shear_stiffness = 2e9;
     const RelaxationScene scene = relaxation_scene(study);
-    // k b = 1e5 W of the second block; doubles round a few times on the way.
+    // k b = 1e5 W for the second block; doubles round a few times on the way.
     EXPECT_NEAR(scene.material[0].normal_stiffness / (1e5 * 2700 * gravity * 5), 1, 1e-14);
     EXPECT_EQ(scene.material[0].shear_stiffness, scene.material[0].normal_stiffness);
     EXPECT_EQ(scene.material[1].normal_stiffness, 4e9);
@@ -107,7 +107,7 @@ TEST(RelaxationStudy, WatchFollowsTheMotionPastItsVerdict) {
     EXPECT_EQ(at_rest.result.outcome, RelaxationOutcome::equilibrium);
     EXPECT_NEAR(at_rest.result.time, 0.2, 1e-3);
 
-    // A third of the way to collapse in time, a tenth of it in distance: beyond onset, which is a hundredth.
+    // This is a third of the time to collapse but a tenth of the distance: beyond onset, which is a hundredth.
     sliding.settings->watch = 0.3 * at_verdict.time;
     const RelaxationRun begun = run(sliding);
     EXPECT_EQ(begun.result.outcome, RelaxationOutcome::onset);
@@ -156,7 +156,7 @@ TEST(RelaxationStudy, GravityTurnedReachesTheTiltAtWhichTheBlockOverturns) {
 
 TEST(RelaxationStudy, ABaseThatTurnsTakesItsBlockAlong) {
     RelaxationStudy study = one_block(degrees(15), degrees(40), 1, 3);
-    // So slow that the block, which goes on when the base stops, has a hundredth of the energy it takes to overturn.
+    // The base turns so slowly that the block, which goes on when it stops, has a hundredth of the energy to overturn.
     study.model.tilting =
         Tilting{TiltingFrame::base, degrees(17), degrees(0.5), std::nullopt, std::nullopt, std::nullopt, {}};
     const RelaxationResult standing = run(study).result;
@@ -168,7 +168,7 @@ TEST(RelaxationStudy, ABaseThatTurnsTakesItsBlockAlong) {
     EXPECT_EQ(outcome_of(study), RelaxationOutcome::collapse);
 }
 
-// It had ended three widths in front of the row, and blocks fell off it.
+// The plane once ended three widths in front of the row, and blocks fell off it.
 TEST(RelaxationStudy, TheRowsPlaneGoesOnForAsLongAsABlockSlides) {
     const double tilt = degrees(30);
     const double friction = degrees(10);
@@ -182,7 +182,7 @@ TEST(RelaxationStudy, TheRowsPlaneGoesOnForAsLongAsABlockSlides) {
     EXPECT_NEAR(block.rotation, 0, 1e-4);
 }
 
-// It followed the extent along x of the drawing.
+// The stiffness once followed the extent of the blocks along x.
 TEST(RelaxationStudy, DefaultStiffnessOfBlocksStaysWhenTheSceneIsDrawnTurned) {
     const auto stiffness = [](double turn) {
         RelaxationPolygons scene{};
@@ -301,7 +301,7 @@ TEST(RelaxationStudy, HistoryFollowsTheMotionAndItsEnergies) {
         const double way = gravity * std::sin(degrees(25)) * line.time * line.time / 2;
         EXPECT_NEAR(line.block[0].x, -way, 1e-9);
         EXPECT_NEAR(line.base_slip[0], -way, gravity * line.time * made.result.cost.step);  // a step behind
-        // Preloaded: the normal force is there from the start and stays.
+        // The start is consolidated: the normal force is there from the start and stays.
         EXPECT_NEAR(line.contact[0].normal / (weight * std::cos(degrees(25))), 1, 1e-6);
         EXPECT_NEAR(line.contact[0].vertical / line.contact[0].normal, 1, 1e-6);  // on block 1, upwards
         // Velocities are half a step behind positions.

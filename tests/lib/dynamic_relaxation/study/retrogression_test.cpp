@@ -46,7 +46,7 @@ TEST(Retrogression, LeavesAWallThatStands) {
     EXPECT_EQ(made.result.outcome, RelaxationOutcome::equilibrium);
     EXPECT_TRUE(made.stage.empty());
     ASSERT_TRUE(made.post_failure);
-    // Shares of what has given way elastically, at a movement of a millionth of a block to the fourth power.
+    // The share of an elastic movement of a millionth of a block is its fourth power.
     EXPECT_LT(made.post_failure->answer.failed_area, 1e-12);
 }
 
@@ -155,8 +155,8 @@ TEST(Retrogression, GoesOnFromWhereItWasStopped) {
     }
 }
 
-// The other way to the ground left standing: the motion, followed until what is left rests. Sliding off the end of the
-// floor, all blocks leave.
+// Retrogression by motion is the other way to the ground left standing: the run lasts until what is left rests. All
+// blocks slide off the end of the floor.
 TEST(Rest, FollowsACollapseUntilWhatIsLeftRests) {
     RelaxationStudy study = wall(degrees(20));
     study.retrogression.reset();
@@ -199,7 +199,7 @@ TEST(Ensemble, BeginsWithTheSlopeAsDrawnAndShiftsTheJointsOfTheOthers) {
         const auto& slope = std::get<RelaxationSlope>(other.model.scene);
         EXPECT_NE(std::get<JointSetCut>(slope.geometry.cut[0].trace).offset,
                   std::get<JointSetCut>(drawn.geometry.cut[0].trace).offset);
-        // Two standard deviations at most.
+        // The values are cut off at two standard deviations.
         EXPECT_NEAR(std::get<JointSetCut>(slope.geometry.cut[0].trace).spacing, 1, 0.2 + 1e-12);
         EXPECT_NEAR(slope.joint[0].strength.friction_angle, degrees(20), degrees(2) + 1e-12);
     }

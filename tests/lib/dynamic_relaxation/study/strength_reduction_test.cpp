@@ -67,7 +67,7 @@ TEST(StrengthReduction, AFactorFromAConsolidatedStateIsTriedWithoutItsHistory) {
     ASSERT_TRUE(tried);
     EXPECT_TRUE(tried->stands);
     EXPECT_EQ(tried->value, 0.98 * found.stands);
-    CriticalAnswer jammed = found;  // as if forces of its history held the block beyond its friction
+    CriticalAnswer jammed = found;  // claims that forces of its history held the block beyond its friction
     jammed.stands = 1.1 * found.fails;
     ASSERT_TRUE(try_other_path(study, jammed));
     EXPECT_FALSE(try_other_path(study, jammed)->stands);
@@ -131,7 +131,7 @@ TEST(StrengthReduction, OnlyTheJointsNamedAreReduced) {
     const double tilt = degrees(20);
     RelaxationStudy study =
         blocks_in_a_row(tilt, joint_of(degrees(35)), joint_of(degrees(35)), {{2, 1, {}}, {2, 1, {}}});
-    // Both slide together as one: what is between them carries nothing.
+    // Both slide together as one: the joint between them carries nothing.
     const double together = std::tan(degrees(35)) / std::tan(tilt);
     EXPECT_NEAR(find_critical(study).value(), together, half_bracket);
     EXPECT_NEAR(with_joints(study, {"base"}).value(), together, half_bracket);
@@ -156,7 +156,7 @@ TEST(StrengthReduction, DividesEveryStrengthAndNothingElse) {
     EXPECT_EQ(half.bond_material[0].tensile_strength, 2e5);
     EXPECT_EQ(half.bond_material[0].young_modulus, 5e9);
     EXPECT_EQ(half.material[1].friction_angle, degrees(89.9));
-    // Raised strength stays below what scenes are refused for.
+    // Raised strength stays below the limit above which scenes are refused.
     const RelaxationScene strong = with_reduced_strength(scene, std::vector<std::size_t>{0, 1}, 1e-4);
     EXPECT_LE(strong.material[0].friction_angle, degrees(89.9));
     EXPECT_EQ(strong.material[1].friction_angle, degrees(89.9));
@@ -199,7 +199,7 @@ TEST(LoadingPaths, OfOneBlockAllButTheSuddenOneAgree) {
                              "factor_of_safety_sudden", "factor_of_safety_spread"}) {
         EXPECT_TRUE(place_of(outputs, name)) << name;
     }
-    // A fit sees the same numbers.
+    // A fit gets the same numbers.
     const Prediction prediction = model_interface(study).predict({});
     const ModelInterface model = model_interface(study);
     ASSERT_EQ(prediction.outputs.size(), model.outputs.size());

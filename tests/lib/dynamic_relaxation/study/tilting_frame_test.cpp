@@ -48,7 +48,7 @@ TEST(TiltingFrame, FirstTensionCrackAtTheTiltOfTheSlenderColumn) {
         EXPECT_GT(answer.crack_tilt, std::atan(1.0 / 3) - 1e-4);
         EXPECT_LT(answer.crack_tilt, std::atan(1.0 / 3) + degrees(0.15));
         EXPECT_NEAR(answer.crack_tilt, degrees(17.5) + frame_rate * answer.crack_time, 1e-6);
-        // A turned base's own tilt was left out.
+        // The own tilt of a turned base was once left out.
         EXPECT_NEAR(answer.tilt, std::min(degrees(25), degrees(17.5) + frame_rate * answer.time), 1e-6);
     }
 }
@@ -68,7 +68,7 @@ TEST(TiltingFrame, NineColumnsPartBehindTheSixth) {
     const RelaxationAnswer answer = answer_of(run(study).result);
     EXPECT_EQ(answer.crack_block, 6);
     EXPECT_EQ(answer.crack_neighbour, 7);
-    // What the photograph's caption gives, to the degree.
+    // The caption of the photograph gives this tilt, to the degree.
     EXPECT_NEAR(answer.crack_tilt, degrees(16), degrees(0.5));
 }
 

@@ -1,4 +1,4 @@
-// Rows of equal blocks by their modes against the bound by linear programming, which knows no modes.
+// Compares the modes of rows of equal blocks with the bound by linear programming, which knows no modes.
 #include "limit_equilibrium/block_row/block_row.hpp"
 #include "limit_equilibrium/bound/block_assembly.hpp"
 #include "limit_equilibrium/bound/lp_bound.hpp"
@@ -18,7 +18,7 @@ struct RandomRow {
     double interface_friction;
 };
 
-// Slender enough to topple on the plane, friction where thrust can push a block forward.
+// The blocks are slender enough to topple on the plane, and friction lets thrust push a block forward.
 RandomRow random_row(RandomProblem& random, int count) {
     const double slenderness = std::exp(random.uniform(std::log(1.0), std::log(30.0)));
     const double base = random.uniform(5, 60);
@@ -63,7 +63,7 @@ TEST(BlockRowAgainstBound, LimitInContactOfThreeBlocksIsTheBound) {
     }
 }
 
-// No row can stand, free or pressed, beyond the bound.
+// No row can stand beyond the bound, whether its blocks are free or pressed together.
 TEST(BlockRowAgainstBound, FreeBlocksFailAtOrBelowTheBound) {
     RandomProblem random(4103);
     for (int repeat = 0; repeat < 1000; ++repeat) {

@@ -1,4 +1,4 @@
-// Rounding of the row's tilts: the same templates over 50 digits, on the very same double inputs.
+// Measures the rounding of the row's tilts against the same templates with 50 digits, on the same double inputs.
 #include "limit_equilibrium/block_row/block_row.hpp"
 #include "limit_equilibrium/block_row/block_row_search.hpp"
 #include "tests/support/random_problem.hpp"

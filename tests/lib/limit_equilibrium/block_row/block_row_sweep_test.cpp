@@ -27,7 +27,7 @@ namespace {
 
 constexpr int rows_of_each = 2500;
 constexpr double unit_weight = 25e3;
-// The programme is right to about 1e-10 (lp_bound.hpp), what is compared to it is a closed form.
+// The programme is right to about 1e-10 (lp_bound.hpp), and is compared with a closed form.
 constexpr double accuracy = 1e-9;
 
 struct Kind {
@@ -104,7 +104,7 @@ RecursionAnswer recursion(const BlockRow<>& row) {
     };
     double low = degrees(0.001);
     double high = low;
-    // Beyond phi + psi = 90 deg a row that moves may stand again at a steeper tilt: steps, the first of which counts.
+    // Beyond phi + psi = 90 deg a row that moves may stand again at a steeper tilt: the first of the steps counts.
     while (!moves(high) && high < degrees(89)) {
         low = high;
         high += degrees(1);
@@ -121,7 +121,7 @@ RecursionAnswer recursion(const BlockRow<>& row) {
     return answer;
 }
 
-// Blocks that slide below at most one that topples, the rest standing: a mode of the row, too.
+// Blocks that slide below at most one that topples, while the rest stands, are a mode of the row, too.
 bool is_a_mode(const std::string& roles) {
     const std::size_t toppling = roles.find_first_not_of('S');
     if (toppling == std::string::npos) {
@@ -208,7 +208,7 @@ Exceptions sweep(const Kind& kind, std::uint64_t seed) {
     return exceptions;
 }
 
-// Ceilings: a third above what was counted, since another compiler may decide rows on an edge otherwise.
+// The ceilings are a third above what was counted, since another compiler may decide rows on an edge otherwise.
 
 TEST(BlockRowSweep, EqualBlocks) {
     const Exceptions exceptions = sweep({true, false}, 502);
@@ -238,7 +238,7 @@ TEST(BlockRowSweep, UnequalBlocks) {
     EXPECT_LT(exceptions.recursion_above_bound, 10);
 }
 
-// All these causes together. Counted: 883, 344, 799, 555.
+// All these causes act together. Counted: 883, 344, 799, 555.
 TEST(BlockRowSweep, UnequalBlocksAtTheExtremes) {
     const Exceptions exceptions = sweep({false, true}, 501);
     EXPECT_LT(exceptions.without_mode, 1180);
@@ -247,7 +247,7 @@ TEST(BlockRowSweep, UnequalBlocksAtTheExtremes) {
     EXPECT_LT(exceptions.recursion_above_bound, 740);
 }
 
-// The bounded search of long rows: seldom a mode for unequal blocks, never one above the bound.
+// The bounded search of long rows seldom finds a mode for unequal blocks, and never one above the bound.
 TEST(BlockRowSweep, LongRows) {
     RandomProblem random(504);
     for (int count = 0; count < 400; ++count) {

@@ -44,7 +44,7 @@ TEST(BlockRow, TwoBlocksForward) {
     const BlockRowResult result = analyse(equal_row(2, 3, 20, 20));
     EXPECT_EQ(result.answer.mode_in_contact, "FP");
     EXPECT_NEAR(result.answer.critical_tilt_in_contact / degrees(1), 18.629, 5e-4);
-    // Free, the lower block does not care for the upper one.
+    // If the blocks are free, the upper one does not affect the lower one.
     EXPECT_EQ(result.answer.mode, "P0");
     EXPECT_NEAR(result.answer.critical_tilt, std::atan(1.0 / 3), rounding);
 }
@@ -123,13 +123,13 @@ TEST(BlockRow, PrintedAgainstDerived) {
     const double numerator = closed_form::four_blocks_printed(3.0, 1.0, mu, mu) * denominator_18;
     const double denominator_19 = denominator_18 + 8 * mu * (1 - m) * (1 - m);
     EXPECT_NEAR(closed_form::four_blocks_one_friction_printed(3.0, 1.0, mu), numerator / denominator_19, rounding);
-    // Neither is the mode they are meant for.
+    // Neither formula gives the mode that it is meant for.
     const double right = closed_form::four_blocks_two_forward_one_backward(3.0, 1.0, mu, mu);
     EXPECT_GT(std::abs(closed_form::four_blocks_printed(3.0, 1.0, mu, mu) / right - 1), 0.01);
     EXPECT_GT(std::abs(closed_form::four_blocks_one_friction_printed(3.0, 1.0, mu) / right - 1), 0.01);
 }
 
-// c = b / a: no thrust, every block by itself, whatever phi.
+// If c = b / a there is no thrust, and every block is by itself, whatever phi.
 TEST(BlockRow, MetastableAtTheBaseFrictionOfTheSingleBlock) {
     for (const int count : {2, 3, 4, 7, 16}) {
         for (const double phi : {0.0, 10.0, 35.0, 60.0}) {
@@ -221,7 +221,7 @@ TEST(BlockRow, UnequalBlocks) {
     EXPECT_NEAR(analyse(row).answer.critical_tilt, std::atan(0.2), rounding);
     std::swap(row.block[0], row.block[1]);
     EXPECT_GT(analyse(row).answer.critical_tilt, std::atan(0.2));
-    // Over a neighbour of almost no height it falls by itself, but for pushing that neighbour.
+    // Over a neighbour of almost no height the block falls by itself, but for pushing that neighbour.
     row.block[0].height = 1e-9;
     row.block[0].mass = WeightOfBlock<>{1e-9};
     EXPECT_NEAR(analyse(row).answer.critical_tilt, std::atan(0.2), 1e-8);

@@ -92,7 +92,7 @@ TEST(SingleBlock, CohesionHoldsUntilTheBaseOpens) {
     EXPECT_LT(analyse(glued).critical_sliding_inclination, degrees(40));
 }
 
-// Water of one depth on both sides on a level base: no net push, uplift of the pressure on the whole base.
+// Water of one depth on both sides on a level base gives no net push, and its pressure lifts the whole base.
 TEST(SingleBlock, WaterOnBothSidesOnlyLifts) {
     SingleBlock<> drowned = block(2, 1, 0, 30);
     drowned.water = BlockWater<>{10e3, 1.5, 1.5};
@@ -101,7 +101,7 @@ TEST(SingleBlock, WaterOnBothSidesOnlyLifts) {
     EXPECT_NEAR(result.normal_force, 50e3 - 15e3, 1e-8);  // forces of 1e5
     EXPECT_NEAR(result.reaction_position, 0.5, rounding);
     EXPECT_EQ(result.onset_mode, BlockMotion::stable);
-    // By hand, water behind only: push 11.25 kN at 0.5 m, uplift 7.5 kN at two thirds of the base.
+    // By hand for water behind only: push 11.25 kN at 0.5 m, uplift 7.5 kN at two thirds of the base.
     drowned.water->depth_in_front.reset();
     const SingleBlockResult pushed = analyse(drowned);
     EXPECT_NEAR(pushed.overturning_factor, 25e3 / (11.25e3 * 0.5 + 7.5e3 * 2 / 3), rounding);
@@ -124,7 +124,7 @@ TEST(SingleBlock, BadInputIsNamed) {
     EXPECT_EQ(analyse(block(1, 1, std::nan(""), 10)).check, SingleBlockCheck::input_out_of_range);
 }
 
-// Similarity, and the first law of the chart: at rest exactly where both static criteria say so. Never NaN.
+// Similar blocks behave alike, and a block rests exactly where both static criteria say so. Nothing is NaN.
 TEST(SingleBlock, InvariantsOverTheExtremes) {
     RandomProblem random(7);
     for (int count = 0; count < 10000; ++count) {

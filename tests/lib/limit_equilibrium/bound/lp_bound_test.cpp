@@ -21,7 +21,7 @@ double random_ratio(RandomProblem& random) {
     return std::exp(random.uniform(std::log(0.05), std::log(100.0)));
 }
 
-// The same seen from behind: x reversed, so that what slid towards -x slides towards +x.
+// Mirrors the assembly in x, so that what slid towards -x slides towards +x.
 Assembly mirrored(const Assembly& assembly) {
     Assembly result = assembly;
     for (Body& body : result.bodies) {
@@ -198,7 +198,7 @@ TEST(LpBound, Symmetric) {
     }
 }
 
-// Lengths by l and unit weights by s: weights by s l^2, moments by s l^3, cohesion and tensile strength by s l.
+// Lengths grow by l and unit weights by s: weights by s l^2, moments by s l^3, cohesion and tensile strength by s l.
 TEST(LpBound, SimilarAssembliesFailAtOneTilt) {
     RandomProblem random(3005);
     for (int repeat = 0; repeat < 50; ++repeat) {
@@ -220,13 +220,13 @@ TEST(LpBound, SimilarAssembliesFailAtOneTilt) {
                 contact.cohesion *= s * l;
                 contact.tensile_strength *= s * l;
             }
-            // Nothing but the rounding of the scaled numbers differs.
+            // Only the rounding of the scaled numbers differs.
             EXPECT_NEAR(largest_tilt(similar).value, bound.value, 1e-12 * (1 + std::abs(bound.value)));
         }
     }
 }
 
-// The friction with which a row just stands at the tilt that it just bears is its own.
+// At the tilt that a row just bears, it needs exactly its own friction.
 TEST(LpBound, StrengthFactorInvertsTilt) {
     RandomProblem random(3006);
     for (int repeat = 0; repeat < 50; ++repeat) {
@@ -240,7 +240,7 @@ TEST(LpBound, StrengthFactorInvertsTilt) {
         }
         const LpBound bound = least_strength_factor(assembly);
         ASSERT_EQ(bound.status, LpStatus::optimal);
-        // Where toppling does not depend on friction a lower factor may do.
+        // Where toppling does not depend on friction a lower factor may suffice.
         EXPECT_LE(bound.value, 1 + 1e-9);
         for (Contact& contact : assembly.contacts) {
             contact.friction_angle = std::atan(std::tan(contact.friction_angle) * bound.value);
@@ -285,7 +285,7 @@ TEST(LpBound, SupportOfASlidingAndOfATopplingBlock) {
 TEST(LpBound, VerticalLoadOnALevelRowIsBorneWithoutLimit) {
     const Assembly row = assemble_row({{1, 3, 1e4}, {1, 3, 1e4}}, {degrees(30), degrees(30)});
     EXPECT_EQ(largest_load_factor(row, {{{0, -1}, 0}, {{0, -1}, 0}}).status, LpStatus::unbounded);
-    // Uplift: each block by its own weight.
+    // The load is an uplift: each block resists by its own weight.
     const LpBound uplift = largest_load_factor(row, {{{0, 1e4}, 0}, {{0, 1e4}, 0}});
     ASSERT_EQ(uplift.status, LpStatus::optimal);
     EXPECT_NEAR(uplift.value, 1, 1e-12);

@@ -60,7 +60,7 @@ double limit_by_recursion(const ColumnSlope<>& slope) {
 void expect_bracket(const ColumnScene<>& scene, double recursion, double programme) {
     const ColumnSlope<> slope = make_columns(scene);
     EXPECT_NEAR(limit_by_recursion(slope), recursion, 1e-4);  // printed digits
-    // Our own number, which forces and mechanism bound from both sides (LpResiduals).
+    // This is our own number, which forces and mechanism bound from both sides (LpResiduals).
     EXPECT_NEAR(limit_by_programme(slope, whole_joint), programme, 1e-4);
     double last = programme - 1e-4;
     for (const double upper_part : {0.5, 0.1, 0.01, 1e-4}) {
@@ -188,7 +188,7 @@ TEST(LpColumns, WedgeAboveTheColumnsPushesAsDerived) {
         ASSERT_EQ(thrust.state, SlideHeadState::pushes);
         const Point up_dip(std::cos(slope.base_dip), std::sin(slope.base_dip));
         const Point up_joint(-up_dip.y(), up_dip.x());
-        // Through the point where its loads meet the joint: forces alone are in question.
+        // The support acts where the wedge's loads meet the joint, so that only forces matter.
         const double support =
             least_support_force(alone, 0, alone.bodies[0].centroid, up_dip + joint_friction * up_joint);
         EXPECT_NEAR(support, thrust.force * std::hypot(1, joint_friction), 1e-9 * thrust.force);
@@ -262,7 +262,7 @@ TEST(LpColumns, RandomBlocksStandJustAboveTheAnswer) {
         EXPECT_TRUE(stands_with(assembly, bound.value * (1 + 1e-8)));
         EXPECT_FALSE(stands_with(assembly, bound.value * (1 - 1e-8)));
     }
-    // The sample has both kinds.
+    // The sample has both kinds of slopes.
     EXPECT_GT(limited, 10);
     EXPECT_GT(hopeless, 5);
 }

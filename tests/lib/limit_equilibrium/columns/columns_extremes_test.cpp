@@ -1,4 +1,4 @@
-// Columns at the ends of every range: finite numbers or a named reason, and no jumps where none belong.
+// Columns at the ends of every range have finite numbers or a named reason, and no jumps where none belong.
 #include "tests/lib/limit_equilibrium/columns/reference_recursion.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(ColumnExtremes, RandomScenesGiveNumbersOrReasons) {
     std::mt19937 generator(1967);
     std::uniform_real_distribution<double> unit(0, 1);
     const auto between = [&](double lower, double upper) { return lower + (upper - lower) * unit(generator); };
-    // Ends of a range come up as often as its middle.
+    // The two ends of a range are drawn in a fifth of all cases.
     const auto angle = [&](double lower, double upper) {
         const double drawn = unit(generator);
         return degrees(drawn < 0.1 ? lower : drawn < 0.2 ? upper : between(lower, upper));

@@ -135,7 +135,7 @@ TEST(ContinuousColumns, FactorOfSafetyHasNoJumpsInHeightOrSpacing) {
 }
 
 TEST(ContinuousColumns, ColumnsAppearWithNoWeight) {
-    // Total area between base and ground, by hand: whatever the count of columns, no rock is lost or counted twice.
+    // By hand, the area between base and ground: however many columns there are, no rock is lost or counted twice.
     for (double height = 80; height < 100; height += 0.37) {
         const ColumnScene<> scene = continuous(height, 7);
         const ColumnSlope<> slope = make_columns(scene);
@@ -312,7 +312,7 @@ TEST(SlideHead, FrictionlessThrustIsThatOfThreeForces) {
     EXPECT_EQ(thrust.shear, 0);
 }
 
-// A vertical joint carries no weight: the columns' face must, less what friction there and on the joint carry.
+// A vertical joint carries no weight: the columns' face has to, less what friction carries there and on the joint.
 TEST(SlideHead, VerticalJointLeansOnTheColumnsOnly) {
     const ColumnSlope<> slope = make_columns(slide_head_scene(degrees(42), degrees(90)));
     SlideHeadWedge<> wedge = *slope.slide_head;
@@ -347,7 +347,7 @@ TEST(SlideHead, WedgeThatIsLiftedOffLeansOnTheColumns) {
                 const double into = wedge.force_x * std::sin(degrees(72)) - wedge.force_y * std::cos(degrees(72));
                 const double along = -wedge.force_x * std::cos(degrees(72)) - wedge.force_y * std::sin(degrees(72));
                 const double opening = degrees(72) - slope.base_dip;
-                // Nothing acts on the joint but its water: loads and reaction of the column along it and normal to it.
+                // Only water acts on the joint: loads and reaction of the column along it and normal to it.
                 EXPECT_NEAR(thrust.force * std::cos(opening) + thrust.shear * std::sin(opening), along, 1e-9 * weight);
                 EXPECT_NEAR(thrust.force * std::sin(opening) - thrust.shear * std::cos(opening),
                             wedge.water_force - into, 1e-9 * weight);
@@ -355,7 +355,7 @@ TEST(SlideHead, WedgeThatIsLiftedOffLeansOnTheColumns) {
         }
     }
     EXPECT_GT(lifted, 5);
-    // Without a jump where the joint's normal force vanishes.
+    // There is no jump where the joint's normal force vanishes.
     int transitions = 0;
     SlideHeadState state = SlideHeadState::pushes;
     for (double water_weight = 1; water_weight < 60e3; water_weight += 10) {

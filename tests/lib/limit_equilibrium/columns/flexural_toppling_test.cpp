@@ -1,4 +1,4 @@
-// Limit equilibrium of flexural toppling: its limits, its balance, its order.
+// Limit equilibrium of flexural toppling has the right limits, balance and order.
 #include "limit_equilibrium/columns/flexural_toppling.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(FlexuralToppling, EveryColumnIsInBalanceAtItsStrength) {
             ++bending;
             EXPECT_NEAR(fibre, slope.tensile_strength, 1e-9 * slope.tensile_strength) << index;
         } else if (state.mode == FlexuralMode::stands) {
-            // Below the one strength or the other.
+            // The stress is below one strength or the other.
             EXPECT_TRUE(fibre <= slope.tensile_strength || 2 * state.moment <= state.normal) << index;
         }
     }
@@ -109,7 +109,7 @@ TEST(FlexuralToppling, ColumnsAreShearedOffWeakFeet) {
     EXPECT_EQ(stability.column.front().mode, FlexuralMode::shears);
     EXPECT_EQ(stability.factor_of_safety, 0);
     EXPECT_TRUE(std::isinf(stability.required_tensile_strength));
-    // Each wants what its weight lacks on the plane: the pushes add up.
+    // Each column needs what its weight lacks on the plane: the pushes add up.
     double weight = 0;
     for (const FlexuralColumn& column : slope.column) {
         weight += unit_weight * column.height;

@@ -77,7 +77,7 @@ TEST(CriticalBase, NoExtentOfAFineScanIsLessStable) {
     }
 }
 
-// Where the search is for the dry slope, the water comes back afterwards.
+// If the search is for the dry slope, its result has the water of the scene again.
 TEST(CriticalBase, DrySearchKeepsTheWaterOfTheScene) {
     ColumnScene<> scene = scene_of_base(degrees(40), {});
     CriticalBaseSearch<> request = search_for(CriticalBaseFeature::extent);

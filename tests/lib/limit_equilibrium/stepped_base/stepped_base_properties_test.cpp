@@ -31,9 +31,9 @@ SteppedBase<> goodman_bray(double friction) {
     return dry_blocks(degrees(60), blocks, std::atan(friction));
 }
 
-// The thesis's way (4.4, Appendix A): from the toe up, the most that each column can bear from above, being the smaller
-// of eqs. 20 and 21; in limiting equilibrium the column below the crack can bear just nothing. Independent of the
-// library's recursion. Friction by bisection; positive where there is friction to spare.
+// The thesis (4.4, Appendix A) goes from the toe up by the most that each column can bear from above, the smaller of
+// eqs. 20 and 21; in limiting equilibrium the column below the crack can bear just nothing. This does not use the
+// library's recursion. The result is positive where there is friction to spare.
 double bearing_at_crack(double friction) {
     constexpr std::array<double, 8> heights = {1, 2, 3, 4, 3.1, 2.2, 1.3, 0.4};
     constexpr double rise = 1.5;  // TI
@@ -122,7 +122,7 @@ TEST(SteppedBaseProperties, CableInTheToeColumnAgreesWithTheFactorOfSafetyItGive
                 const ColumnSlope<> slope = make_columns(anchored.scene);
                 // Roundings of forces of 10 MN/m, against margins of which 1 MN/m is a per cent of safety.
                 EXPECT_NEAR(factor_of_safety(slope, strength_of(anchored)).value, factor, 1e-12);
-                // Not a newton more than needed.
+                // The force is not a newton more than needed.
                 anchored.scene.bolt.front().force = cable.force * (1 - 1e-6);
                 EXPECT_GT(toe_force(make_columns(anchored.scene), strength_of(anchored), factor), 0);
             }
@@ -144,7 +144,7 @@ TEST(SteppedBaseProperties, CheapestCableAgainstSlidingPlungesByFrictionLessBase
 }
 
 TEST(SteppedBaseProperties, BasesThatCannotGiveTheirReactionAreCounted) {
-    // Published examples are sound throughout.
+    // All bases of published examples can give their reactions.
     const SteppedBaseResult sound = analyse(goodman_bray(0.7855));
     ASSERT_EQ(sound.check, ColumnCheck::valid);
     EXPECT_EQ(sound.inadmissible_count, 0);
@@ -165,8 +165,8 @@ TEST(SteppedBaseProperties, BasesThatCannotGiveTheirReactionAreCounted) {
     EXPECT_FALSE(pushed.base_friction_holds);
 }
 
-// Fuzzing: infinity over infinity. Bases steeper than their friction under joints of so much that pushing frees the
-// columns: none can be held, and the toe column is pushed without bound.
+// Fuzzing found infinity over infinity: the bases are steeper than their friction, and joints so rough that pushing
+// frees the columns: none can be held, and the toe column is pushed without bound.
 TEST(SteppedBaseProperties, OfAPushWithoutBoundAreNumbers) {
     const SteppedBase<> steep = dry_blocks(
         degrees(30), {{0.4, 1, 0, std::nullopt}, {0.4, 1, 0, std::nullopt}, {0.4, 1, 0, std::nullopt}}, degrees(50));
@@ -198,14 +198,14 @@ TEST(SteppedBaseProperties, EndsOfTheRangesOfStrength) {
     SteppedBase<> problem = goodman_bray(0.65);
     problem.joints.friction_angle = 0;
     problem.bases = {0, 0};
-    EXPECT_EQ(analyse(problem).limit, LimitState::fails_at_any_strength);  // nothing to divide
+    EXPECT_EQ(analyse(problem).limit, LimitState::fails_at_any_strength);  // there is no strength to divide
     problem.bases.cohesion = 1e9;
     EXPECT_EQ(analyse(problem).limit, LimitState::fails_at_any_strength);  // columns topple on frictionless joints
     problem.joints.friction_angle = degrees(89.9);
     problem.bases = {degrees(89.9), 0};
     const SteppedBaseResult strong = analyse(problem);
     EXPECT_EQ(strong.limit, LimitState::found);
-    // The same limit as with any other equal friction.
+    // The limit is the same as with any other equal friction.
     EXPECT_NEAR(strong.factor_of_safety * std::tan(degrees(38.1512)) / std::tan(degrees(89.9)), 1, 2e-6);
     // Level bases, low columns: nothing drives them.
     const SteppedBase<> level = dry_blocks(degrees(90), {{1, 1, 0, std::nullopt}, {2, 1, 0, std::nullopt}}, 0.5);

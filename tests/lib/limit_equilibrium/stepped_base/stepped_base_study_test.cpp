@@ -138,7 +138,7 @@ TEST(SteppedBaseStudy, SharesOfWhatMovesAreThoseOfItsArea) {
         moves += wedge || columns[index].mode != ColumnMode::stays ? area : 0;
         topples += !wedge && columns[index].mode == ColumnMode::topples ? area : 0;
     }
-    // The rock is the same everywhere, so that weights are as areas; to the rounding of sums of products of 100 m.
+    // The rock is the same everywhere, so that weights are in proportion to areas, but for rounding of sums of 100 m.
     EXPECT_NEAR(result.toppling_share, topples / moves, 1e-12);
     EXPECT_NEAR(result.moving_area, moves, 1e-12 * moves);
     EXPECT_EQ(result.moving_count, result.toppling_count + result.sliding_count);

@@ -156,7 +156,7 @@ TEST(SteppedBase, ManyThinColumnsTendToTheClosedFormAtFirstOrder) {
     double former_error = 0;
     for (const int count : {2000, 4000, 8000}) {
         const double width = length / count;
-        // Straight to the recursion: heights k x, joints as above the crest.
+        // The recursion gets the columns directly: heights k x, joints as above the crest.
         ColumnSlope<> slope;
         slope.base_dip = base_dip;
         slope.columns.resize(static_cast<std::size_t>(count) + 1);
@@ -277,7 +277,7 @@ TEST(SteppedBase, EndsAbruptlyWhereNoPushHoldsAColumn) {
     // With less friction the push of the upper column still reaches the lower one: they balance together.
     problem.joints.friction_angle = degrees(10);
     EXPECT_EQ(analyse(problem).limit, LimitState::found);
-    // One friction angle for all: no cohesion, every column slides at 85 deg, where nothing held any back.
+    // All friction angles are equal: without cohesion every column slides at 85 deg, where nothing held any back.
     problem.scene.columns = std::get<BlockColumns<>>(appendix_a(0).scene.columns);
     std::get<BlockColumns<>>(problem.scene.columns).joint_dip = degrees(5);
     problem.bases.cohesion = 0;
@@ -325,7 +325,7 @@ TEST(SteppedBase, RandomRowsNeverGiveNaN) {
             EXPECT_EQ(toe_just_balances(slope, strength.reduced_by(result.factor_of_safety)),
                       result.limit == LimitState::found)
                 << round;
-            // On the failing side of the limit it fails, on the other it stands.
+            // The slope fails on one side of the limit and stands on the other.
             EXPECT_GT(toe_force(slope, strength, result.factor_of_safety * (1 + 1e-6)), 0) << round;
             unsettled += toe_force(slope, strength, result.factor_of_safety * (1 - 1e-6)) > 0 ? 1 : 0;
         }

@@ -31,7 +31,7 @@ inline SteppedPath random_path(std::mt19937& random, SteppedPathMechanism mechan
     return path;
 }
 
-// Every surface of columns.
+// Returns every surface of columns.
 inline std::vector<LatticePath> all_column_paths(const PathLattice& lattice) {
     std::vector<LatticePath> paths;
     const std::function<void(LatticePath)> grow = [&](const LatticePath& path) {

@@ -30,8 +30,8 @@ TEST(SteppedPath, WaterAtTheToeIsTheLimitOfWaterAboveIt) {
     }
 }
 
-// Squat columns that water turns are steadied by a push, so that less push from above may ask more of the toe. Surfaces
-// that may come out further behind the crest are more, and no stronger.
+// A push steadies squat columns that water turns, so that less push from above may ask more of the toe. If surfaces may
+// come out further behind the crest there are more of them, and none is stronger.
 TEST(SteppedPath, ColumnsThatAPushSteadiesHideNoWeakerSurface) {
     SteppedPath known = west_face(SteppedPathMechanism::toppling);
     known.search = {SteppedPathMechanism::toppling, 3.682571386414936, std::nullopt};

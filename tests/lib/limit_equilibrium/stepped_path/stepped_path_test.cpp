@@ -66,7 +66,7 @@ TEST(SteppedPath, NoSlidingSurfaceIsWeakerThanTheOneFound) {
     EXPECT_GT(found, 150);
 }
 
-// Against every surface of the same joints without the massive rock that stays above its boundary.
+// Compares with every surface of the same joints without the massive rock that stays above its boundary.
 TEST(SteppedPath, OverMassiveRockTheWeakestSurfaceOfThoseAboveIsFound) {
     std::mt19937 random(22);
     const auto between = [&](double lower, double upper) {
@@ -135,7 +135,7 @@ TEST(SteppedPath, MassiveRockBelowEverySurfaceChangesNothing) {
     }
 }
 
-// By sums over many short pieces of an edge, which the closed form needs none of.
+// Compares with sums over many short pieces of an edge, while the closed form needs no pieces.
 TEST(SteppedPath, WaterOnEdgesIsTheIntegralOfItsPressure) {
     std::mt19937 random(21);
     const auto between = [&](double lower, double upper) {
@@ -298,7 +298,7 @@ TEST_P(EveryMechanism, SlopesAlikeInShapeAndLoadHaveOneFactorOfSafety) {
     EXPECT_NEAR(analyse(heavy).factor_of_safety, small.factor_of_safety, 1e-9);
 }
 
-// More surfaces to choose from: never a higher factor of safety.
+// A choice of more surfaces never gives a higher factor of safety.
 TEST_P(EveryMechanism, FinerStepsAndNarrowerMassesAreNoStronger) {
     SteppedPath path = west_face(GetParam());
     path.columns->spacing = GetParam() == SteppedPathMechanism::toppling ? 4 : 8;
@@ -319,7 +319,7 @@ TEST_P(EveryMechanism, FinerStepsAndNarrowerMassesAreNoStronger) {
     }
 }
 
-// All that leaves has to have come from behind the surface.
+// The failed mass lies entirely above the surface it leaves.
 TEST_P(EveryMechanism, WhatFailsLiesBetweenTheGroundBeforeAndAfter) {
     SteppedPath path = west_face(GetParam());
     path.columns->spacing = 4;
@@ -427,7 +427,7 @@ TEST(SteppedPath, ImpossibleCasesSayWhy) {
     EXPECT_EQ(check([](SteppedPath& path) { path.rock.unit_weight = -1; }), SteppedPathCheck::input_out_of_range);
 }
 
-// From 1 mm to 5 km, nearly vertical faces and joints, hardly any and nearly all friction: an answer or a reason.
+// From 1 mm to 5 km, with nearly vertical faces and joints, and any friction, there is an answer or a reason.
 TEST(SteppedPath, ExtremesHaveAnAnswerOrAReason) {
     std::mt19937 random(22);
     const auto between = [&](double lower, double upper) {
