@@ -40,7 +40,7 @@ Json data_of(const std::string& html) {
     return Json::parse(between(html, "<script type=\"application/json\">", "</script>"));
 }
 
-// Numbers of the data, each summed up with that of the frame before.
+// Decodes the numbers, each of which is stored as its difference from that of the frame before.
 std::vector<int> numbers_of(const std::string& text, std::size_t stride) {
     const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::vector<int> result;
@@ -62,7 +62,7 @@ std::vector<int> numbers_of(const std::string& text, std::size_t stride) {
     return result;
 }
 
-// x, y and angle of each moving block, frame after frame.
+// Returns x, y and angle of each moving block, frame after frame.
 std::vector<int> poses_of(const Json& data) {
     const std::size_t stride = 3 * data["moving"].size();
     std::vector<int> poses = numbers_of(data["poses"].get<std::string>(), stride);
@@ -70,7 +70,7 @@ std::vector<int> poses_of(const Json& data) {
     return poses;
 }
 
-// The transform of each block's group in the drawing.
+// Returns the transform of each block's group in the drawing.
 std::vector<std::string> transforms(const std::string& html) {
     std::vector<std::string> result;
     const std::string opening = "<g transform=\"";
@@ -110,7 +110,7 @@ TEST(Animation, PosesComeBack) {
         for (std::size_t index = 0; index < moving; ++index) {
             const BlockPose& pose = animation.frames[frame].poses[data["moving"][index].get<std::size_t>()];
             const int* back = &poses[3 * (moving * frame + index)];
-            // Half a unit of the numbers kept, and places given to 0.01 px.
+            // The data keep half a unit of their numbers, and places are given to 0.01 px.
             EXPECT_NEAR(back[0] * pixel, pose.displacement.x() * scale, 0.51 * pixel + 0.02);
             EXPECT_NEAR(back[1] * pixel, pose.displacement.y() * scale, 0.51 * pixel + 0.02);
             EXPECT_NEAR(back[2] * data["angle"].get<double>() * degree, pose.rotation, 0.51e-4);
@@ -135,7 +135,7 @@ TEST(Animation, TheDrawingIsTheLastFrame) {
         const std::string& text = drawn[data["moving"][index].get<std::size_t>()];
         ASSERT_EQ(std::sscanf(text.c_str(), "translate(%lf %lf) rotate(%lf)", &x, &y, &turn), 3) << text;
         const double unit = data["length"].get<double>();
-        // Two roundings to 0.01 px.
+        // Two values are rounded to 0.01 px.
         EXPECT_NEAR(x, data["at"][2 * index].get<double>() + pose[0] * unit, 0.011);
         EXPECT_NEAR(y, data["at"][2 * index + 1].get<double>() - pose[1] * unit, 0.011);
         EXPECT_NEAR(turn, -pose[2] * data["angle"].get<double>(), 6e-4);
@@ -152,7 +152,7 @@ TEST(Animation, TheDrawingIsTheLastFrame) {
     EXPECT_EQ(count(html, ">F</text>"), 1U);
 }
 
-// A crack goes with its block; the page shows those of the last frame, the script the others.
+// A crack moves with its block; the page shows those of the last frame, the script the others.
 TEST(Animation, CracksAppearWithTheirFrame) {
     BlockAnimation animation{.blocks = {square(0, 0), square(1, 0)}};
     animation.blocks[1].cracks = {{{1, 0}, {1, 1}, 1}, {{2, 0}, {2, 1}, 2}};
@@ -162,7 +162,7 @@ TEST(Animation, CracksAppearWithTheirFrame) {
     const std::string second = html.substr(html.rfind("<g transform"));
     EXPECT_EQ(count(second, "class=\"crack\""), 2U);
     EXPECT_EQ(count(second, "data-from=\"1\" d="), 1U);
-    // Not yet there in the last frame.
+    // The second crack is not yet there in the last frame.
     EXPECT_EQ(count(between(html, "data-from=\"2\"", ">"), "display=\"none\""), 1U);
     EXPECT_EQ(count(between(html, "data-from=\"1\"", ">"), "display=\"none\""), 0U);
 }
@@ -205,7 +205,7 @@ TEST(Animation, EscapesEveryText) {
     animation.blocks[0].outline = {{0, 0}, {99, 0}, {99, 9}, {0, 9}};  // room for the label
     const std::string page = report_page({.title = "title", .subtitle = "", .blocks = {animation}});
     EXPECT_EQ(page.find("<b>&"), std::string::npos);
-    // Label, colour, unit, outcome twice (drawing's name and text), caption.
+    // The text occurs as label, colour, unit, outcome (twice: name and text of the drawing) and caption.
     EXPECT_EQ(count(page, "&lt;/script&gt;&lt;b&gt;&amp;&quot;&#39;"), 6U);
     EXPECT_EQ(count(page, "<script"), 2U);
     EXPECT_EQ(count(page, "</script>"), 2U);
@@ -245,7 +245,7 @@ TEST(Animation, WithNothingToShowSaysSo) {
     }
 }
 
-// As a run leaves them that blew up.
+// A run that diverged leaves such numbers.
 TEST(Animation, WhatIsNotFiniteIsNotShown) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinite = std::numeric_limits<double>::infinity();
@@ -283,7 +283,7 @@ TEST(Animation, OneThatFliesOffDoesNotMakeTheOthersSpecks) {
     BlockAnimation animation{.blocks = {square(0, 0), square(1, 0)}};
     animation.frames = {{0, 0, {{}, {}}}, {1, 0, {{{-1e6, -1e6}, 50}, {}}}};
     const std::string html = animation_html(animation);
-    // Two squares side by side with the room of half their size around, and a margin: more than 100 px each.
+    // Two squares side by side have half their size around them and a margin: each is more than 100 px wide.
     double x = 0;
     ASSERT_EQ(std::sscanf(between(html, "<path d=\"", "\"").c_str(), "M%lf", &x), 1);
     EXPECT_LT(x, -50);

@@ -19,7 +19,7 @@ double arrow_length(const Arrows::Shaft& shaft) {
     return (shaft.to - shaft.from).norm();
 }
 
-// The arrow without a legend and the text beside it.
+// The key is the arrow without a legend and the text beside it.
 struct ForceKey {
     Arrows::Shaft arrow;
     double force;  // N/m
@@ -128,7 +128,7 @@ TEST(BlockFigure, HasAKeyOfARoundForceForForcesOfAnySize) {
         BlockDrawing drawing = two_squares();
         drawing.forces = {{.at = {2, 1}, .force = {-force, 0}}, {.at = {2, 1}, .force = {0, 0.2 * force}}};
         const ForceKey key = force_key(block_figure(drawing));
-        // tick_step of half the greatest force: from half of it to 1.25 times.
+        // The key is tick_step of half the greatest force: from half of it to 1.25 times.
         EXPECT_GE(key.force, 0.5 * force * (1 - 1e-9));
         EXPECT_LE(key.force, 1.25 * force * (1 + 1e-9));
         const double mantissa = key.force / std::pow(10, std::floor(std::log10(key.force * (1 + 1e-9))));
@@ -137,7 +137,7 @@ TEST(BlockFigure, HasAKeyOfARoundForceForForcesOfAnySize) {
     }
 }
 
-// Wherever the free corner of the picture is, and when there is none.
+// The key is beside the blocks whichever corner of the picture is free, even if none is.
 TEST(BlockFigure, PutsTheKeyBesideTheBlocks) {
     constexpr double size = 10;
     const Polyline corners{{0, 0}, {size, 0}, {size, size}, {0, size}};
@@ -256,7 +256,7 @@ TEST(BlockFigure, ThinsOutNumbersThatWouldTouch) {
     EXPECT_EQ(std::stoi(many[1]) % 10, 0);
 }
 
-// They are few and at the end of the list: between the numbers none of them would be left.
+// Fixed blocks are few and at the end of the list: among the numbers none of their names would be left.
 TEST(BlockFigure, NamesFixedBlocksHoweverManyNumbersGo) {
     for (const int columns : {40, 400}) {
         BlockDrawing drawing = free_columns(columns);
@@ -271,7 +271,7 @@ TEST(BlockFigure, NamesFixedBlocksHoweverManyNumbersGo) {
     }
 }
 
-// Dozens of small ones beside a floor, which is the last of them.
+// There are dozens of small fixed blocks beside a floor, which is the last of them.
 TEST(BlockFigure, NamesTheLargestFixedBlocksFirst) {
     constexpr int columns = 400;
     BlockDrawing drawing = free_columns(columns);
@@ -303,14 +303,14 @@ TEST(BlockFigure, NamesABaseTooThinForItsLabelBesideIt) {
         const auto label = std::ranges::find(figure.labels, std::string("F"), &Label::text);
         ASSERT_NE(label, figure.labels.end()) << slope;
         const double metres_per_px = (figure.x.range->second - figure.x.range->first) / 620;
-        // 15 px high, 0.66 of it wide.
+        // The text is 15 px high and 0.66 of that wide.
         const Point half = 0.5 * 15 * metres_per_px * Point(0.66, 0.85);
         const Rectangle text{label->at - half, label->at + half};
         for (const DrawnBlock& block : drawing.blocks) {
             EXPECT_FALSE(crosses(text, closed(block.outline))) << slope;
             EXPECT_FALSE(inside(block.outline, label->at)) << slope;
         }
-        // Near by: the middle of the base is at (4, -0.15) along it, its half length 8 m.
+        // The label is near the base, whose middle is at (4, -0.15) along it and whose half length is 8 m.
         EXPECT_LT(normal.dot(label->at), -0.3) << "below";
         EXPECT_GT(normal.dot(label->at), -2.5);
         EXPECT_GT(label->at.y() - half.y(), figure.y.range->first);
@@ -343,7 +343,7 @@ TEST(BlockFigure, DrawsManyForcesAsChainsAsThickAsTheyAreGreat) {
     const Figure figure = block_figure(drawing);
     EXPECT_TRUE(all<Arrows>(figure).empty());
     const Line thickest = with_legend<Line>(figure, "interblock force");
-    // Twenty-four widths: each is right to half of their difference.
+    // Lines have twenty-four widths, each right to half of their difference.
     const double px_per_newton = thickest.width / (40e3 * 23.5 / 24);
     std::size_t links = 0;
     for (const Line& line : all<Line>(figure)) {
@@ -359,7 +359,7 @@ TEST(BlockFigure, DrawsManyForcesAsChainsAsThickAsTheyAreGreat) {
         }
     }
     EXPECT_EQ(links, drawing.forces.size());
-    // The key is as thick, and says of which force.
+    // The key is as thick and names its force.
     const auto text =
         std::ranges::find_if(figure.labels, [](const Label& label) { return label.text.ends_with(" kN/m"); });
     ASSERT_NE(text, figure.labels.end());
@@ -417,7 +417,7 @@ TEST(ForceAlongSlopeFigure, ShowsForcesInKilonewtonsBesideThePrintedOnes) {
     for (const Point& point : printed) {
         const Point& computed = acting.at(static_cast<std::size_t>(point.x()) - 1);
         EXPECT_EQ(computed.x(), point.x());
-        // They print one decimal; that at the toe is ill-conditioned in the friction angle, 0.5 to 1.5 in the
+        // Goodman & Bray print one decimal; that at the toe is ill-conditioned in the friction angle, 0.5 to 1.5 in the
         // literature.
         EXPECT_NEAR(computed.y(), point.y(), point.x() == 1 ? 2 : 0.06);
     }

@@ -21,7 +21,7 @@ Polyline rectangle(const Point& corner, double width, double height, double angl
     return outline;
 }
 
-// Of Goodman & Bray's example, lengths in m, per metre run.
+// The blocks are those of Goodman & Bray's example, lengths in m, per metre run.
 constexpr int block_count = 16;
 constexpr double block_width = 10;
 constexpr double step = 1;
@@ -36,7 +36,7 @@ double weight(int block) {
     return 25e3 * block_width * block_height(block);
 }
 
-// Above the base, where the force from the block above acts on a block.
+// Returns the height above the base at which the force from the block above acts on a block.
 double height_of_upper_force(int block) {
     return block < 10 ? block_height(block) : block_height(block) - 5;
 }
@@ -62,7 +62,7 @@ RowForces goodman_bray() {
                                lower;
         const double slips =
             from_above - weight(block) * (std::cos(dip) * friction - std::sin(dip)) / (1 - friction * friction);
-        // The lowest block has no face as high as the force from below.
+        // The face of the lowest block is lower than the point at which the force from below would act.
         result.toppling[index] = lower > 0 ? topples : std::numeric_limits<double>::quiet_NaN();
         result.sliding[index] = slips;
         slides = slides || (from_above > 0 && !(lower > 0 && topples > slips));
@@ -240,7 +240,7 @@ BlockAnimation animation() {
         const double time = 0.05 * index;
         AnimationFrame frame{time, degrees(21.8), {}};
         for (const double height : {3.0, 4.0}) {
-            // About the lower left corner, from which the centroid stands at (0.5, height / 2).
+            // The block turns about its lower left corner, from which the centroid is at (0.5, height / 2).
             const double angle = 0.01 * std::exp(1.4 * time);
             const Point from_corner(0.5, height / 2);
             frame.poses.push_back({turned(from_corner, angle) - from_corner, angle, 1.4 * angle * from_corner.norm()});

@@ -217,7 +217,7 @@ TEST(WriteFigure, DrawsEveryMarkColourAndArrow) {
     EXPECT_EQ(script.find("inf"), std::string::npos);
 }
 
-// Six short names take two rows, where one below the other they would take a quarter of the picture; a name longer than
+// Six short names take two rows, while one below the other they would take a quarter of the picture; a name longer than
 // the picture is wide is written smaller.
 TEST(GnuplotScript, LegendFlowsBelowThePlot) {
     Figure figure;
@@ -285,7 +285,7 @@ TEST(WriteFigure, SaysThatGnuplotIsMissingAndKeepsTheScript) {
     const FigureFiles files = write_figure(simple_figure(), folder.path(), "figure");
     EXPECT_EQ(files.status, FigureStatus::gnuplot_missing);
     EXPECT_NE(files.message.find("gnuplot is not installed"), std::string::npos) << files.message;
-    // Pictures of the earlier run would pass for pictures of this one.
+    // Pictures of the earlier run are removed, as they would pass for pictures of this one.
     EXPECT_EQ(folder.names(), Names{"figure.gp"});
 }
 
@@ -311,7 +311,7 @@ TEST(WriteFigure, DoesNotTrustAnExitCodeOfZero) {
     }
 }
 
-// A gnuplot that hangs cost its time limit for each of up to 34 figures.
+// A gnuplot that hangs once cost its time limit for each of up to 34 figures.
 TEST(WriteFigure, GivesUpAfterTheFirstGnuplotThatDoesNotEnd) {
     const ScratchFolder folder;
     GnuplotRuns runs{.time_limit = std::chrono::seconds(1)};

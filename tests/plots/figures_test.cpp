@@ -190,7 +190,7 @@ TEST(SectionFigure, NotesKeepClear) {
     const Figure figure = section_figure(drawing);
     ASSERT_EQ(figure.labels.size(), 2U);
     EXPECT_EQ(figure.labels[1].at, Point(25, 5));
-    // Where all hide something, rather a line than a text.
+    // If all places hide something, a line is hidden rather than a text.
     drawing.notes[0].places.pop_back();
     EXPECT_EQ(section_figure(drawing).labels[1].at, Point(20, 15));
 }

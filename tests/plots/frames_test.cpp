@@ -148,7 +148,7 @@ BlockFrame sample() {
     return frame;
 }
 
-// What VTK asks of PolyData, whatever is in it.
+// Checks what VTK requires of PolyData, whatever is in it.
 const Element& checked_piece(const Element& file) {
     EXPECT_EQ(file.name, "VTKFile");
     EXPECT_EQ(file.attributes.at("type"), "PolyData");
@@ -264,7 +264,7 @@ TEST(Frames, WhatIsNotFiniteIsLeftOut) {
     EXPECT_EQ(checked_piece(file).child("CellData").array("block").numbers(), std::vector<double>{3});
     const Element contact_file = read_xml(contacts_vtp(frame));
     EXPECT_EQ(checked_piece(contact_file).count("NumberOfPoints"), 1U);
-    // Velocities whose square is beyond all numbers.
+    // The squares of these velocities overflow.
     frame = sample();
     frame.blocks[0].velocity = {1e200, 1e200};
     frame.blocks[1].rotation = 1e-310;  // too small for some readers

@@ -27,7 +27,7 @@ std::string drawn_pageof(std::vector<ReportBlock> blocks) {
     return report_page({.title = "title", .subtitle = "", .blocks = std::move(blocks)});
 }
 
-// What stands between < and > of each tag; the style sheet is passed over.
+// Returns what stands between < and > of each tag, without the style sheet.
 std::vector<std::string> tags(const std::string& page) {
     std::vector<std::string> result;
     for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at)) {
@@ -46,7 +46,7 @@ std::vector<std::string> tags(const std::string& page) {
     return result;
 }
 
-// The texts between each `opening` and the next `closing`.
+// Returns the texts between each `opening` and the next `closing`.
 std::vector<std::string> between(const std::string& text, const std::string& opening, char closing) {
     std::vector<std::string> result;
     for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
@@ -56,7 +56,7 @@ std::vector<std::string> between(const std::string& text, const std::string& ope
     return result;
 }
 
-// Every element that is opened is closed, in order.
+// Expects that every element that is opened is closed, in order.
 void expect_balanced(const std::string& page) {
     const std::set<std::string> without_end{"meta", "link", "!DOCTYPE", "wbr"};
     std::stack<std::string> open;

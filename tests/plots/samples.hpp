@@ -32,11 +32,11 @@ CriticalSearchDrawing critical_crack();
 // Goodman & Bray (1976): 16 blocks on a stepped base, tan(friction angle) 0.7855, with the forces that they print.
 ForceAlongSlope goodman_bray_forces();
 BlockDrawing goodman_bray_blocks();
-// A displaced mechanism with water and a crack.
+// The blocks of a displaced mechanism with water and a crack.
 BlockDrawing stepped_base();
 BlockDrawing single_block();
 BlockDrawing row_of_columns(int count);
-// Of a block with atan(width / height) 18.435 deg on an inclined plane.
+// The chart of a block with atan(width / height) = 18.435 deg on an inclined plane.
 ModeChart mode_chart();
 
 // Two columns that topple over a fixed base, sixty frames to 2.95 s.

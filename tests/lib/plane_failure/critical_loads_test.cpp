@@ -77,7 +77,7 @@ TEST(CriticalLoads, CrackAgainstBruteForce) {
         const CriticalGeometry critical = find_critical_geometry(problem, crack_search);
         ASSERT_EQ(critical.check, PlaneFailureCheck::valid);
         const double least = least_by_brute_force(problem);
-        // The crack beside a load lies 1e-7 m from it in one, 1e-12 in the other.
+        // Brute force puts the crack 1e-7 m beside a load, the search 1e-12 of its range.
         EXPECT_LE(critical.factor_of_safety, least * (1 + 1e-6)) << count;
         EXPECT_EQ(factor_of_safety(critical.problem).value, critical.factor_of_safety) << count;
     }

@@ -107,7 +107,7 @@ TEST(CriticalCrack, WaterAgainstBruteForce) {
                 ASSERT_EQ(critical.check, PlaneFailureCheck::valid);
                 const double grid = least_on_grid(problem, 20000);
                 EXPECT_LE(critical.factor_of_safety, grid + 1e-12);  // rounding of two evaluations
-                // Half a step of the grid from the minimum, where the factor is at most this curved.
+                // The minimum is half a step of the grid away, and the factor is at most this curved there.
                 EXPECT_NEAR(critical.factor_of_safety, grid, 1e-4 * (1 + grid));
             }
         }
@@ -127,7 +127,7 @@ TEST(CriticalCrack, EndOfTheValuesIsFound) {
 }
 
 TEST(CriticalCrack, BoundaryIsFlagged) {
-    // Without cohesion all masses cut off by a crack in the face are similar: a plateau, not worse than any grid.
+    // Without cohesion all masses behind a crack in the face are similar: the factor is constant, no worse than a grid.
     PlaneFailure<> problem = textbook_slope();
     problem.strength = Coulomb<>{0, degrees(37)};
     problem.water = CrackOnlyWater<>{9.81e3, FilledRatio<>{1}};
@@ -220,7 +220,7 @@ TEST(ScalarSearch, KinkJumpAndGap) {
     const auto kink = minimise_scalar([](double x) { return std::abs(x - 0.3); },
                                       [](double x) { return x < 0.3 ? -1.0 : 1.0; }, 0, 1, 11);
     EXPECT_NEAR(kink.position, 0.3, 1e-15);
-    // Falls to the left of a jump at 0.43; slopes have one sign only.
+    // The function falls to the left of a jump at 0.43; its slopes have one sign only.
     const auto jump =
         minimise_scalar([](double x) { return x < 0.43 ? -x : 1 - x; }, [](double) { return -1.0; }, 0, 0.9, 10);
     EXPECT_NEAR(jump.position, 0.43, 1e-12);

@@ -19,7 +19,7 @@ using Check = PlaneFailureCheck;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// What analyse and factor_of_safety say of the textbook slope after a change.
+// Returns the check by analyse and factor_of_safety of the textbook slope after a change.
 template <class Change>
 Check after(Change change) {
     PlaneFailure<> problem = textbook_slope();
@@ -59,7 +59,7 @@ TEST(Checks, PlaneNeverSurfaces) {
                   p.slope.upper_surface_dip = degrees(35);
               }),
               Check::plane_never_surfaces);
-    // The same ground with a crack is a mass.
+    // On the same ground a crack bounds a mass.
     EXPECT_EQ(after([](auto& p) { p.slope.upper_surface_dip = degrees(50); }), Check::valid);
 }
 
@@ -99,7 +99,7 @@ TEST(Checks, CrackBaseBelowDaylight) {
     // A flat crack far up meets the plane in front of the slope.
     EXPECT_EQ(after([](auto& p) { p.tension_crack = crack(40, CrackAtDistance<>{1}); }),
               Check::crack_base_below_daylight);
-    // In the face and no steeper than it: it dips out of the rock.
+    // A crack in the face that is no steeper than the face dips out of the rock.
     EXPECT_EQ(after([](auto& p) { p.tension_crack = crack(50, CrackAtDistance<>{-1}); }),
               Check::crack_base_below_daylight);
 }
@@ -110,7 +110,7 @@ TEST(Checks, CrackDeeperThanMass) {
 }
 
 TEST(Checks, CrackNeverSurfaces) {
-    // From a base under the crest a crack flatter than the ground behind it.
+    // From a base under the crest the crack rises more flatly than the ground behind it.
     EXPECT_EQ(after([](auto& p) {
                   p.slope.upper_surface_dip = degrees(55);
                   p.tension_crack = crack(50, CrackBaseBelowCrest<>{1});
@@ -150,7 +150,7 @@ TEST(Checks, CrackThroughAir) {
 }
 
 TEST(Checks, MassVanishes) {
-    // So small that its area underflows.
+    // The mass is so small that its area underflows.
     EXPECT_EQ(after([](auto& p) {
                   p.slope.height = 1e-170;
                   p.tension_crack = crack(90, CrackOfDepth<>{0});
@@ -283,7 +283,7 @@ TEST(Checks, NotANumberIsNeverAnAnswer) {
     EXPECT_NE(unchecked([](auto& p) { p.seismic = SeismicLoad<>{not_a_number, 0}; }), Check::valid);
     EXPECT_NE(unchecked([](auto& p) { p.slope.upper_surface_dip = not_a_number; }), Check::valid);
     EXPECT_NE(unchecked([](auto& p) { p.bolt = {{not_a_number, 0, 1, BoltAction::active}}; }), Check::valid);
-    // Numbers in range whose forces overflow.
+    // These numbers are in range, but their forces overflow.
     EXPECT_EQ(unchecked([](auto& p) {
                   p.slope.height = 1e160;
                   p.tension_crack->position = CrackOfDepth<>{4};

@@ -83,7 +83,7 @@ TEST(WaterForms, LevelAsDepthRatioAndElevation) {
     EXPECT_EQ(factor(problem), factor(textbook_slope()));
 }
 
-// The same number twice, crack and water, must not be refused for a rounding.
+// A crack and its water of the same depth must not be refused because of rounding.
 TEST(WaterForms, BrimfulCrackIsAllowed) {
     for (int step = 0; step < 200; ++step) {
         PlaneFailure<> problem = textbook_slope();

@@ -304,7 +304,7 @@ class Analysis {
             const Vector face = direction(problem_.slope.face_dip);
             pond_height = std::max(Real(0), Real(problem_.pond->depth - daylight_.y));
             pond_weight = problem_.pond->unit_weight;
-            // Only the face of the mass itself: up to the crest, or to a crack in the face.
+            // The pond presses on the face of the mass alone: up to the crest, or to a crack in the face.
             const Real top = std::min(crest_.x, crack_top_.x) == crest_.x ? crest_.y : crack_top_.y;
             const Real face_length = (top - daylight_.y) / face.y;
             result.face_water = push({{0, pond_weight * pond_height},
@@ -317,7 +317,7 @@ class Analysis {
         const auto fill_crack = [&](const Real& weight, const Real& depth) {
             on_crack = {{0, weight * depth}, {crack, weight * (depth - crack_rise)}};
         };
-        // The pond stands over the top of a crack in the face; from one behind the crest it would run off.
+        // The pond stands over the top of a crack in the face; water from one behind the crest would run off.
         const Real pond_in_crack = std::max(Real(0), Real(pond_height - base_rise));
         const bool covered = problem_.tension_crack && crack_top_.x < crest_.x && pond_in_crack > crack_rise;
         const Real full_crack = covered ? pond_in_crack : crack_rise;

@@ -79,7 +79,7 @@ void compare(const PlaneFailure<>& problem, Tally& tally) {
     for (std::size_t index = 0; index < numbers.size(); ++index) {
         const Sensitivity& found = result.derivatives[index];
         const Slopes& slopes = expected[index];
-        // At the end of an input's range only the side inside counts.
+        // At the end of an input's range only the derivative inside counts.
         const bool right = slopes.has_right && found.value < ranges[index].upper;
         const bool left = slopes.has_left && found.value > ranges[index].lower;
         if (!right && !left) {
@@ -90,7 +90,7 @@ void compare(const PlaneFailure<>& problem, Tally& tally) {
         const double error = right && left ? std::min(error_to(slopes.left), error_to(slopes.right))
                                            : error_to(right ? slopes.right : slopes.left);
         const double size = std::max(std::abs(slopes.left), std::abs(slopes.right));
-        // What the rounding of a single input moves FS by, as a slope: below it a derivative is zero.
+        // The rounding of one input moves FS by this much, as a slope: below it a derivative is zero.
         const double unit = largest / std::max(std::abs(found.value), 1e-300);
         const double jump = std::abs(slopes.left - slopes.right);
         tally.kinks += right && left && jump > 1e-6 * size && jump > 1e-15 * unit ? 1 : 0;
@@ -147,7 +147,7 @@ double derivative(const PlaneFailure<>& problem, std::string_view parameter) {
     return 0;
 }
 
-// An input at the end of its range has one side only, and that side's derivative.
+// At the end of its range an input has a derivative on one side only.
 TEST(Sensitivity, AtTheEndsOfRanges) {
     Tally tally;
     PlaneFailure<> problem = textbook_slope();
@@ -179,7 +179,7 @@ TEST(Sensitivity, AtTheEndsOfRanges) {
     EXPECT_NEAR(derivative(problem, "tension_crack.depth") / beside, 1, 1e-9);
 }
 
-// Corners of the geometry where the area is smooth although its trapezoids change: both sides agree, so must the code.
+// At these corners of the geometry the area is smooth although its trapezoids change: both sides must agree.
 TEST(Sensitivity, BaseOfALeaningCrackUnderTheCrest) {
     PlaneFailure<> problem = textbook_slope();
     // Crest at (6, 6), plane of 26.57 deg: base of the crack at height 3 lies under the crest exactly in binary.
@@ -194,7 +194,7 @@ TEST(Sensitivity, BaseOfALeaningCrackUnderTheCrest) {
     }
 }
 
-// Vertical cracks and level ground sit on branches of the code, not of the function.
+// Vertical cracks and level ground are branches of the code, but not of the function.
 TEST(Sensitivity, VerticalCrackTurnsBothWays) {
     for (const CrackPosition<>& position :
          {CrackPosition<>(CrackAtDistance<>{4}), CrackPosition<>(CrackAtDistance<>{-1}),

@@ -84,9 +84,9 @@ std::string describe(const PlaneFailure<>& problem) {
 
 struct Tally {
     int compared = 0;
-    int excused = 0;        // beyond `bound`, within what the inputs' own rounding does
+    int excused = 0;        // beyond `bound`, but within what the rounding of the inputs does
     int check_differs = 0;  // on an edge between two outcomes
-    double worst = 0;       // among those that needed no excuse
+    double worst = 0;       // relative error among those that needed no excuse
     std::map<CrackLocation, int> locations;
     std::map<std::size_t, int> positions;
     std::map<std::size_t, int> waters;
@@ -186,7 +186,7 @@ TEST(WedgeReference, RandomProblemsOverTheExtremes) {
         compare(random.next(), tally);
     }
     report(tally);
-    // The sweep reaches every branch, or it proves nothing.
+    // The sweep reaches every branch, otherwise it would prove nothing.
     EXPECT_GT(tally.compared, 2000);
     EXPECT_EQ(tally.locations.size(), 4U);
     EXPECT_EQ(tally.positions.size(), 4U);

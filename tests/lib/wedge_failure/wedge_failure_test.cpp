@@ -30,7 +30,7 @@ WedgeFailure<> example() {
     return wedge;
 }
 
-// Any wedge, any loads: most of them are none, which the caller passes over.
+// Draws any planes and loads: most do not make a wedge, and the caller skips them.
 class RandomWedges {
   public:
     explicit RandomWedges(unsigned seed) : generator_(seed) {}
