@@ -55,8 +55,8 @@ ModelNames names_of(const CaseModel& model, const OutputsOf& outputs_of, bool in
 // Complains about a name that cannot be that of a file.
 void check_file_name(Reading& reading, const std::string& key, const std::string& name);
 
-// The number at a key of the case that is no input of its model, as settings.stiffness_ratio; nothing where there is
-// none. The node is a value that it may have.
+// The number at a key of the case that is not an input of its model, such as settings.stiffness_ratio; nothing if there
+// is no such number. `value` is one that the key may have.
 using NumberAtKey = std::function<std::optional<Quantity>(const std::string& key, const Node& value)>;
 std::vector<CaseSweep> read_sweeps(Section& root, const ModelNames& names, const NumberAtKey& number_at);
 void write_sweep(std::string& text, const CaseSweep& sweep);

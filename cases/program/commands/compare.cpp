@@ -106,7 +106,7 @@ std::vector<CaseInput> inputs_of_case(const CaseFile& file) {
     return inputs;
 }
 
-// A case and what came of it.
+// A case with its answer and its analysis.
 struct Analysed {
     CaseFile file;
     CaseAnswer answer;

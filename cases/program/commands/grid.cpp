@@ -80,7 +80,7 @@ Setting sweep_of(const Options& options) {
     return {"sweep", "[{ name = \"grid\", vary = [" + vary + "], curve = [" + curves + "] }]"};
 }
 
-// The case with the sweep; what is wrong with that is said of the option it was made from.
+// Reads the case with the sweep; errors in the sweep are reported for the option that it was made from.
 CaseFile read_case_with_sweep(const std::filesystem::path& path, const Options& options) {
     std::vector<Setting> settings = settings_of(options);
     settings.push_back(sweep_of(options));

@@ -43,7 +43,7 @@ Token token_at(std::string_view text, std::size_t begin) {
     return {begin, end - begin + (quote == '\0' ? 0 : 1)};
 }
 
-// Everything behind the number of a quantity; empty for a bare number.
+// Returns what follows the number of a quantity; empty for a bare number.
 std::string_view unit_of(std::string_view token) {
     const std::string_view inside =
         token.size() > 1 && token.front() == token.back() && !token.empty() ? token.substr(1, token.size() - 2) : token;
@@ -90,8 +90,8 @@ struct Replacement {
     std::string by;
 };
 
-// `outline_file = "..."` with its key, whose points then stand in the case: `outline = [...]`. Nothing where the input
-// comes from no such file.
+// Replaces `outline_file = "..."`, with its key, by the points of the file: `outline = [...]`. Returns nothing if the
+// input does not come from such a file.
 std::optional<Replacement> points_instead_of_file(std::string_view text, const CaseFile& file,
                                                   const std::vector<Condition>& values, const std::string& input) {
     const std::string list = list_of(input);
@@ -118,7 +118,7 @@ std::optional<Replacement> points_instead_of_file(std::string_view text, const C
                   ", y = " + written_quantity(y->value, y->dimension) + " },\n";
     }
     if (!points.ends_with(",\n")) {
-        return std::nullopt;  // a file of something else
+        return std::nullopt;  // the file holds something else
     }
     return Replacement{{begin, name.begin + name.size - begin}, points + "]"};
 }

@@ -39,7 +39,7 @@ void add(std::vector<Handle>& handles, std::string name, std::vector<std::string
     }
 }
 
-// The end of a line from `from` that rises at the dip towards +x, or at `turned` more.
+// Adds the far end of a line that begins at `from` and rises at the dip, plus `turned`, towards +x.
 void add_spoke(const std::vector<Quantity>& inputs, std::vector<Handle>& handles, const std::string& name,
                const std::string& input, const Point& from, double length, double turned = 0) {
     if (const Quantity* dip = find_quantity(inputs, input)) {
@@ -69,7 +69,7 @@ void add_support(const SlopeSection<>& slope, const std::vector<Support>& suppor
     }
 }
 
-// m above the toe; nothing where the water has no level. Depths and ratios count from `bottom`.
+// Returns the level in m above the toe; nothing if the water has no level. Depths and ratios count from `bottom`.
 std::optional<double> level_of(const std::vector<Quantity>& inputs, double bottom, double top, double toe_elevation) {
     if (const Quantity* depth = find_quantity(inputs, "water.water_depth")) {
         return bottom + depth->value;
@@ -134,7 +134,7 @@ void add_handles(const PlaneFailureStudy<>& study, const std::vector<Quantity>& 
     }
 }
 
-// The uphill corner at the top of each block of a row, which its width and height move; the row leans by `dip`.
+// Adds the uphill top corner of each block of a row, which changes its width and height; the row leans by `dip`.
 template <class Blocks>
 void add_row(const Blocks& blocks, const std::string& key, double dip, const std::string& dip_input, double toe,
              std::vector<Handle>& handles) {
@@ -171,7 +171,7 @@ void add_handles(const SteppedBaseStudy<>& study, const std::vector<Quantity>& i
         const Point toe(0, toe_of(slope));
         const Point along(std::cos(inclination->value), std::sin(inclination->value));
         add_spoke(inputs, handles, "base", inclination->name, toe, slope.height);
-        // Joints go up and out of the slope.
+        // Joints rise out of the slope.
         const Quantity& dip = *find_quantity(inputs, "columns.joint_dip");
         const Point foot = toe + slope.height / 2 * along;
         add(handles, "joints", {dip.name},
@@ -185,7 +185,7 @@ void add_handles(const SteppedBaseStudy<>& study, const std::vector<Quantity>& i
     }
 }
 
-// Dips are positive out of the slope. The lines of steep sets stand behind the crest.
+// Dips are positive out of the slope. The lines of steep sets are drawn behind the crest.
 void add_handles(const SteppedPath& path, const std::vector<Quantity>& inputs, std::vector<Handle>& handles) {
     const SlopeSection<>& slope = path.slope;
     add_slope(slope, handles);
@@ -206,7 +206,7 @@ void add_handles(const SingleBlock<>& problem, const std::vector<Quantity>&, std
         (problem.block.width + 0.5 * std::max(problem.block.width, problem.block.height)) * along);
 }
 
-// Poles on the net of the figure.
+// The handles are the poles on the net of the figure.
 void add_handles(const KinematicsStudy& study, const std::vector<Quantity>&, std::vector<Handle>& handles) {
     constexpr NetProjection projection = NetProjection::equal_area;
     const Kinematics& model = study.model;
@@ -229,7 +229,7 @@ void add_handles(const FlexuralSlope& slope, const std::vector<Quantity>&, std::
     add_row(slope.column, "column", slope.base_dip, "base_dip", 0, handles);
 }
 
-// Drawn where its governing mode begins, whatever the inclination of its base.
+// The row is drawn at the tilt at which its governing mode begins, whatever the inclination of its base.
 void add_handles(const BlockRow<>& row, const std::vector<Quantity>&, std::vector<Handle>& handles) {
     const BlockRowResult result = analyse(row);
     if (result.check == BlockRowCheck::valid && !result.block.empty()) {
@@ -237,7 +237,7 @@ void add_handles(const BlockRow<>& row, const std::vector<Quantity>&, std::vecto
     }
 }
 
-// Each joint set on a spoke from the middle of the section, which has its dip.
+// The handle of each joint set is on a spoke from the middle of the section, inclined at the dip of the set.
 void add_sets(const RelaxationSlope& slope, const std::vector<Quantity>& inputs, std::vector<Handle>& handles) {
     Eigen::AlignedBox2d box;
     for (const SectionPoint& corner : slope.geometry.outline) {
@@ -296,7 +296,7 @@ void add_points(const std::vector<Quantity>& inputs, std::vector<Handle>& handle
     }
 }
 
-// Everything is measured from the toe: where it goes, the crest comes nearer.
+// Positions are measured from the toe: if it moves, the crest stays, and height and dip of the face change.
 std::vector<Condition> with_toe_at(const Point& to, const std::vector<Quantity>& inputs) {
     const Quantity& height = *find_quantity(inputs, "slope.height");
     const Quantity& dip = *find_quantity(inputs, "slope.face_dip");
@@ -338,7 +338,7 @@ std::vector<Condition> dragged(const CaseModel& model, const std::string& name, 
         quantities.push_back(find_quantity(inputs, input));
         values.push_back({input, quantities.back()->value});
     }
-    // Nothing where the slope is impossible with these values.
+    // Returns nothing if the slope is impossible with these values.
     const auto place = [&](const std::vector<Condition>& at) -> std::optional<Point> {
         for (std::size_t index = 0; index < at.size(); ++index) {
             if (!quantities[index]->range.contains(at[index].value)) {
@@ -351,7 +351,7 @@ std::vector<Condition> dragged(const CaseModel& model, const std::string& name, 
     };
     constexpr int most_steps = 12;
     constexpr int most_halvings = 6;
-    constexpr double share = 1e-6;  // of an input, or of its unit: for differences
+    constexpr double share = 1e-6;  // steps for differences, as shares of the input or of its unit
     std::optional<Point> here = place(values);
     for (int step = 0; here && step < most_steps; ++step) {
         Eigen::MatrixXd slope(2, static_cast<Eigen::Index>(values.size()));
@@ -376,7 +376,7 @@ std::vector<Condition> dragged(const CaseModel& model, const std::string& name, 
             std::vector<Condition> next = values;
             for (std::size_t index = 0; index < values.size(); ++index) {
                 next[index].value += length * move[static_cast<Eigen::Index>(index)];
-                if (next[index].input.ends_with("dip_direction")) {  // on past north
+                if (next[index].input.ends_with("dip_direction")) {  // an azimuth goes on beyond north
                     next[index].value = wrapped_azimuth(next[index].value);
                 }
             }

@@ -14,7 +14,7 @@ struct Handle {
     std::string name;  // "crest"; of a point that the case gives by coordinates its name: "scene.outline[2]"
     std::vector<std::string> inputs;  // one or two, by the names of named_inputs: what a drag changes
     Point at;                         // m, in the axes of the section's figure
-    // The point from which all others are measured: a drag leaves these where they are seen.
+    // This is the point from which all others are measured: a drag leaves those where they are seen.
     bool is_origin = false;
     std::optional<Point> from{};  // the other end of a line that has the dip which the handle turns
 };
@@ -26,8 +26,8 @@ struct Handle {
 // the poles of face and joint sets, and the friction circle. Empty for an impossible slope.
 std::vector<Handle> handles_of(const CaseModel& model);
 
-// Values of the handle's inputs with which it comes nearest to the point, by Gauss-Newton steps within the ranges of
-// the inputs. An unknown name: std::invalid_argument.
+// Finds the values of the handle's inputs that bring it nearest to the point, by Gauss-Newton steps within the ranges
+// of the inputs. Throws std::invalid_argument for an unknown name.
 std::vector<Condition> dragged(const CaseModel& model, const std::string& name, const Point& to);
 
 }  // namespace delabole

@@ -13,7 +13,7 @@ namespace delabole {
 
 namespace {
 
-// Once it is decided, nothing but its user ends a motion on the page.
+// After its verdict a motion on the page ends only when its user ends it.
 RelaxationSettings endless(RelaxationSettings settings) {
     settings.stop_at_onset = settings.stop_at_equilibrium = settings.stop_at_collapse = false;
     settings.duration = 1e9;
@@ -117,16 +117,16 @@ bool LiveMotion::change(const RelaxationStudy& study) {
         return false;
     }
     RelaxationState state = simulation_->state();
-    // All pairs are searched again, with the laws of the new strengths; what is found keeps its memory, and what comes
-    // about is none of the joints that were closed in the initial geometry.
+    // All pairs are searched again, with the laws of the new strengths; contacts that are found keep their memory, and
+    // new ones do not count as joints that were closed in the initial geometry.
     ContactWatch::start(scene.block.size(), state.watch);
     state.watch.searches = 1;
     for (WatchedPair& pair : state.watch.pair) {
-        pair.holds = 0;  // else the contacts of blocks at rest keep their laws
+        pair.holds = 0;  // otherwise the contacts of blocks at rest would keep their laws
     }
     state.outcome = static_cast<std::uint64_t>(RelaxationOutcome::undecided);
     std::ranges::fill(state.checks_at_rest, 0);
-    // Contacts of blocks at rest are not evaluated until something is noticed of these.
+    // Contacts of blocks at rest are only evaluated once these blocks have been noticed.
     for (std::size_t block = 0; block < state.motion.size(); ++block) {
         state.noticed.notice(block, state.motion[block]);
     }
@@ -135,7 +135,7 @@ bool LiveMotion::change(const RelaxationStudy& study) {
     settings.duration += state.time;
     settings.most_steps += static_cast<std::size_t>(state.steps);
     if (collapsed_) {
-        settings = endless(settings);  // what lies in ruins stays there
+        settings = endless(settings);  // what has collapsed gets no new verdict
     } else {
         verdict_.reset();
     }
@@ -150,7 +150,7 @@ std::string LiveMotion::picture() const {
     std::vector<BoltPull> bolts = bolt_pulls(simulation_->scene(), simulation_->bodies(), state);
     std::erase_if(bolts, [](const BoltPull& bolt) { return !bolt.holds; });
     Floats floats;
-    // Beyond 2^24 a float does not hold every whole number.
+    // A float does not hold every whole number beyond 2^24.
     constexpr std::uint64_t float_holds = std::uint64_t{1} << 24U;
     for (const double value :
          {state.time, static_cast<double>(state.steps / float_holds), static_cast<double>(state.steps % float_holds),

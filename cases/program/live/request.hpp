@@ -19,7 +19,7 @@ class LiveRefusal : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// The member, of the type that is asked for.
+// Returns the member if it has the requested type.
 template <class Type>
 Type member(const Json& json, const char* name) {
     const auto found = json.is_object() ? json.find(name) : json.end();
@@ -42,13 +42,13 @@ Type member_or(const Json& json, const char* name, Type otherwise) {
     return json.is_object() && json.contains(name) ? member<Type>(json, name) : otherwise;
 }
 
-// Null where it is no number.
+// Returns null for a number that is not finite.
 Json finite(double value);
 
-// LiveRefusal where there is none.
+// Throws LiveRefusal if there is no such input.
 const Quantity& input_named(const std::vector<Quantity>& inputs, const std::string& name);
 
-// SI value in the unit in which the page shows it.
+// Converts an SI value to the unit in which the page shows it.
 double in_shown_unit(double value, Dimension dimension);
 
 struct MapAxis {
@@ -57,10 +57,10 @@ struct MapAxis {
     double unit;
 };
 
-// `name` of the request: {name, lower, upper}; `count` of it: how many values.
+// Reads {name, lower, upper} from the member `name` of the request and the number of values from `count`.
 MapAxis axis_of_map(const Json& request, const char* name, const char* count, const std::vector<Quantity>& inputs);
 
-// Row by row; null where there is no value, or no more time.
+// Values are stored row by row, null where there is no value or no more time.
 Json over_grid(const MapAxis& x, const MapAxis& y, const std::function<double(double across, double up)>& value);
 
 }  // namespace delabole

@@ -59,8 +59,8 @@ void refuse(httplib::Response& response, int status, const std::string& why) {
     response.set_content(json_text({{"refused", why}}), "application/json");
 }
 
-// A folder's name need not be UTF-8. Through a provider the answer is sent as it is: to compress it for a browser on
-// the same machine would take ten times as long as to find it.
+// Names of folders need not be UTF-8. A content provider sends the answer uncompressed: for a browser on the same
+// machine, compressing it would take ten times as long as computing it.
 void send(httplib::Response& response, const Json& json) {
     const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     response.set_content_provider(text.size(), "application/json",
@@ -86,7 +86,7 @@ struct LiveServer::Parts {
 
     std::string host() const { return "127.0.0.1:" + std::to_string(port); }
 
-    // Whether the request may be answered at all.
+    // Returns whether the request may be answered at all.
     bool admits(const httplib::Request& request, httplib::Response& response) const {
         if (request.get_header_value("Host") != host()) {
             refuse(response, 403, "this server answers to " + host() + " alone");
@@ -100,7 +100,7 @@ struct LiveServer::Parts {
             refuse(response, 401, "the address that delabole live has printed ends with a token: open that one");
             return false;
         }
-        // Only of a body whose length is said the library keeps to the limit.
+        // The library enforces its limit only for a body whose length is given.
         for (const char* const header : {"Transfer-Encoding", "Content-Encoding", "Range"}) {
             if (request.has_header(header)) {
                 refuse(response, 400, "a request is sent whole and as it is, and so is the answer");
@@ -161,7 +161,7 @@ struct LiveServer::Parts {
 
     void set_up() {
         server.set_payload_max_length(largest_request);
-        // The body follows the head in a packet of its own, which else waits 40 ms for the browser's acknowledgement.
+        // Otherwise the body, in a packet after the head, would wait 40 ms for the browser's acknowledgement.
         server.set_tcp_nodelay(true);
         server.set_read_timeout(patience);
         server.set_write_timeout(longest_writing);

@@ -18,17 +18,17 @@ namespace delabole {
 
 class LiveServer {
   public:
-    // OutputError where no port is free.
+    // Throws OutputError if no port is free.
     explicit LiveServer(LiveSession& session);
     ~LiveServer();
     LiveServer(const LiveServer&) = delete;
     LiveServer& operator=(const LiveServer&) = delete;
 
-    // http://127.0.0.1:43567/#<token>. The part behind # does not travel: no log and no other page sees the token.
+    // http://127.0.0.1:43567/#<token>. Browsers do not send the part behind #: no log and no other page sees the token.
     std::string address() const;
 
-    // Serves until `ended` says so, which is asked several times a second. Ends the program, as end_work() does, where
-    // an answer is still computed or a request still sent 1.8 s later.
+    // Serves until `ended`, which is called several times a second, returns true. Ends the program, as end_work() does,
+    // if an answer is still computed or a request still sent 1.8 s later.
     void serve(const std::function<bool()>& ended);
 
   private:

@@ -30,7 +30,7 @@ constexpr int longest_motion = 1000;  // ms, of one request
 constexpr std::size_t most_live_blocks = 20'000;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-// "strength" of "strength.friction_angle", "bolt[1]" of "bolt[1].force"; "case" for what stands in no section. All
+// "strength" for "strength.friction_angle", "bolt[1]" for "bolt[1].force", "case" for an input outside sections. All
 // members of a long list are one group.
 std::string group_of(const std::string& name, const LongLists& lists) {
     const std::string list = list_of(name);
@@ -54,7 +54,7 @@ std::string label_of(const std::string& group, const CaseFile& file) {
 Json described(const Quantity& input, const std::string& group, const CaseFile& file) {
     const auto shown = [&](double value) { return in_shown_unit(value, input.dimension); };
     const auto source = file.sources.find(input.name);
-    const bool is_listed = input.name.starts_with(group + "[");  // which member it is of has to be told
+    const bool is_listed = input.name.starts_with(group + "[");  // the label must tell which member it is
     return {{"name", input.name},
             {"label", human_name(input.name.substr((is_listed ? group : input.name).rfind('.') + 1))},
             {"unit", std::string(shown_unit(input.dimension).symbol)},
@@ -67,7 +67,7 @@ Json described(const Quantity& input, const std::string& group, const CaseFile& 
             {"source", source == file.sources.end() ? "" : source->second}};
 }
 
-// The first of the endings that an input has, in the order of the endings.
+// Finds an input with the first of these endings that occurs.
 std::string first_ending(const std::vector<Quantity>& inputs, std::initializer_list<std::string_view> endings) {
     for (const std::string_view ending : endings) {
         const auto found =
@@ -95,7 +95,7 @@ Json json_of_handles(const CaseModel& model) {
     return handles;
 }
 
-// Ends the walk through a report's figures after the first.
+// Thrown to stop after the first figure of a report.
 struct EnoughFigures {};
 
 // Puts the support that a run designs into the model.
@@ -151,7 +151,7 @@ std::vector<Condition> LiveSession::conditions(const Json& request) const {
             throw LiveRefusal(name + " has to be a number");
         }
         const auto shown = value.get<double>();
-        // A value shown as the case's own is that value, to the last bit.
+        // If the page returns the value that it was shown, the input keeps its value to the last bit.
         const double si = shown == in_shown_unit(input.value, input.dimension)
                               ? input.value
                               : shown * shown_unit(input.dimension).si_per_unit;
@@ -216,7 +216,7 @@ Json LiveSession::open() const {
 Json LiveSession::answer_to(const CaseModel& model, bool all_figures) const {
     Json json{{"handles", json_of_handles(model)}, {"figures", Json::array()}};
     if (std::holds_alternative<RelaxationStudy>(model)) {
-        return json;  // it is set in motion instead
+        return json;  // the page sets it in motion instead
     }
     const CaseAnswer answer = analyse_case(model);
     const Analysis analysis = named_outputs(model, answer);

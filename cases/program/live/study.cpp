@@ -20,7 +20,7 @@ bool has_samples(const CaseFile& file) {
     return file.sensitivity && file.sensitivity->propagation && !interface_of(file.model).costly;
 }
 
-// A stop flag that its listener to progress raises when the time is over.
+// A stop flag that its progress listener raises when the time is over.
 struct Deadline {
     std::chrono::steady_clock::time_point end = std::chrono::steady_clock::now() + std::chrono::seconds(4);
     std::atomic<bool> over = false;

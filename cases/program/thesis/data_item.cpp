@@ -12,7 +12,7 @@ namespace delabole {
 
 namespace {
 
-// In `verify` the source stands in its own column; here it goes without saying.
+// In `verify` the source has a column of its own; here it goes without saying.
 PrintedRow printed_row_of(const Comparison& comparison) {
     const bool met = comparison.verdict == Verdict::met;
     const bool told = met && comparison.expected == "not printed";
@@ -32,7 +32,7 @@ void reproduce_data(const CaseFile& file, const std::string& place, const Result
     if (!file.description.empty()) {
         report.blocks.emplace_back(Paragraph{file.description});
     }
-    // Figures go below the table of what is printed of them.
+    // Figures are placed below the table of printed values.
     Report drawn;
     std::vector<Comparison> comparisons = compare_expectations(file);
     if (file.sweeps.empty()) {

@@ -51,38 +51,37 @@ constexpr double fig_2_8_cohesion = 30 * 6894.757293168361;  // Pa, 30 lbf/in2
 // Friction 20 + 46 deg on a 40 deg plane below a 70 deg face of 225 ft; water weighs 9.81 kN/m3.
 Fig28Solution solve_fig_2_8(FilledFraction reading, double unit_weight);
 
-// Factor of safety against the filled fraction, from 0 to 1, as far as the water stays within the crack.
+// Returns the factor of safety over the filled fraction, from 0 to 1, as long as the water stays within the crack.
 Polyline fig_2_8_curve(FilledFraction reading, double unit_weight, double z, double cohesion);
 
-// Whether one quantity rises or falls with another, of a few values (Spearman 1904).
+// Tells whether one quantity rises or falls with another, for a few values (Spearman 1904).
 struct RankCorrelation {
     double value;         // -1 to 1; 0 where either does not change
     double significance;  // share of all orders of the responses whose correlation is as strong, either way
 };
 
-// Ties have the mean of their ranks. Both as long, at least two; exact, so that the cost is the factorial of their
-// number: at most nine.
+// Ties get their mean rank. Both lists have the same length, two to nine: the result is exact, at a cost that is the
+// factorial of the length.
 RankCorrelation rank_correlation(const std::vector<double>& parameter, const std::vector<double>& response);
 
-// Base friction models of the west face of Delabole as they are run: cases/thesis/chapter_2/*.toml, built into the
-// program.
-//
-// The model of a file by its name without the ending, "plate_2_iii". std::logic_error where there is none.
+// Returns the base friction model of a file, named without its ending: "plate_2_iii". The models of the west face of
+// Delabole, as they are run, are in cases/thesis/chapter_2/*.toml, which are built into the program. Throws
+// std::logic_error if there is none of that name.
 RelaxationStudy slope_model(std::string_view name, const std::vector<Setting>& settings = {});
 
-// A slope from its start to its end, with frames between.
+// A run of a slope from start to end, with frames in between.
 struct SlopeRun {
     RelaxationStudy study;
     RelaxationRun run;
     PostFailure end;
-    // The last frame in which no more than half of what fails in the end has begun to: cracks and first movements.
+    // The last frame at which no more than half of the final failure has begun: cracks and first movements.
     std::size_t early_frame = 0;
     PostFailure early;
 };
 
 SlopeRun run_slope(RelaxationStudy study);
 
-// m, of the slope above its toe
+// Height, m, of the slope above its toe.
 double slope_height(const PostFailure& failure);
 
 // The field criteria of 2.3.3.2 as numbers, and how a run meets them.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double water_unit_weight = 9810;
 
-// The problem of the case, with what is not printed and what is changed.
+// Completes the problem of the case by values that are not printed, and changes others.
 PlaneFailure<> problem(double unit_weight, double z, double cohesion) {
     static const PlaneFailure<> printed =
         std::get<PlaneFailureStudy<>>(built_in_case("plane_failure", "fig_2_8").model).model;

@@ -1,5 +1,5 @@
-// Groundwater on one column in motion, 2.3.5 of the thesis: the tests of groundwater_tests.csv run on a belt, and
-// observations 1 to 4 held against them.
+// Groundwater on one column in motion, 2.3.5 of the thesis: runs the tests of groundwater_tests.csv on a belt, and
+// compares them with observations 1 to 4.
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
 #include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
@@ -17,7 +17,7 @@ namespace delabole {
 
 namespace {
 
-// Mean movement of the column at which tests are compared.
+// Tests are compared when the column has moved by this mean displacement.
 constexpr double compared_displacement = 0.003;  // m
 
 struct ColumnMotion {
@@ -45,7 +45,7 @@ Means means_of(const Bodies& bodies, const MotionFrame& frame) {
     return {means.displacement / mass, means.rotation / mass};
 }
 
-// Mean rotation out of the slope at a time of the run.
+// Returns the mean rotation out of the slope at a time of the run.
 double rotation_at(const ColumnMotion& motion, double time) {
     const Bodies bodies = make_bodies(motion.run.run.scene);
     double rotation = 0;
@@ -90,7 +90,7 @@ ColumnMotion move(const GroundwaterTest& test) {
     return motion;
 }
 
-// The test of that material, friction near enough, and rotation.
+// Finds the test of that material and rotation whose friction is near enough.
 const ColumnMotion& find(const std::vector<ColumnMotion>& motions, std::string_view material, double friction,
                          double rotation) {
     return *std::ranges::find_if(motions, [&](const ColumnMotion& motion) {
@@ -123,7 +123,7 @@ Table motion_table(const std::vector<ColumnMotion>& motions) {
     return table;
 }
 
-// `needed`: those that have to get as far for there to be anything to compare.
+// `needed` are the tests that must reach the compared displacement; otherwise there is nothing to compare.
 void compare(Reproduction& result, const std::string& what, const std::string& printed, const std::string& computed,
              const std::vector<const ColumnMotion*>& needed, bool met) {
     const bool comparable =

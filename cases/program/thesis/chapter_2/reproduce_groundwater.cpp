@@ -105,7 +105,7 @@ struct TopplingOrder {
     int exceptions = 0;
 };
 
-// Onset of motion of single blocks of all shapes on all inclinations, at increasing friction.
+// Computes the onset of motion of single blocks of all shapes on all inclinations, at increasing friction.
 TopplingOrder toppling_order(const std::vector<double>& frictions) {
     TopplingOrder order;
     for (int inclination = 4; inclination < 90; inclination += 2) {
@@ -136,7 +136,7 @@ void add_observation_1(const GroundwaterTest& mixture, const GroundwaterTest& co
         };
         const SingleBlockResult light = motion(cork.density);
         const SingleBlockResult heavy = motion(mixture.density);
-        // The unit weight cancels but for rounding.
+        // The unit weight cancels, except for rounding.
         same = same && light.onset_mode == heavy.onset_mode &&
                std::abs(light.toe_acceleration - heavy.toe_acceleration) < 1e-12 &&
                std::abs(light.angular_acceleration - heavy.angular_acceleration) < 1e-12;

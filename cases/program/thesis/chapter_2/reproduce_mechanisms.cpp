@@ -1,5 +1,5 @@
-// The modes of failure tried on models of the Delabole face, 2.3.3.2 of the thesis, Plates 2.I to 2.VI: its verdicts by
-// the three field criteria, and what statics says of whether each mode can happen at all.
+// The modes of failure that were tried on models of the Delabole face (2.3.3.2 of the thesis, Plates 2.I to 2.VI), with
+// its verdicts by the three field criteria, and whether statics allows each mode at all.
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
 #include "cases/program/thesis/physical_models.hpp"
 #include "fitting/work/words.hpp"

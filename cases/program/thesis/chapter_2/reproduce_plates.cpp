@@ -36,7 +36,7 @@ Remark stated(FieldVerdict printed, FieldVerdict computed) {
     return printed == FieldVerdict::not_said ? Remark() : statement(printed == computed);
 }
 
-// The reasons that a case gives for values its run does not reach, for outputs whose names begin like this.
+// Collects the reasons that a case gives for unreachable values of outputs whose names begin with `outputs`.
 std::string reasons(std::string_view file, std::string_view outputs) {
     std::string text;
     for (const Expectation& expectation : built_in_case("thesis/chapter_2", file).expectations) {
@@ -97,7 +97,7 @@ Json json_of(const SlopeRun& run, const FieldScore& score) {
             {"movements", word_of(score.movements)}};
 }
 
-// How blocks near the crest have moved in the early frame.
+// Draws how blocks near the crest have moved in the early frame.
 Figure crest_movements(const SlopeRun& run, const std::string& title) {
     constexpr double enlarged = 10;
     const MotionFrame& frame = run.run.frames[run.early_frame];
@@ -138,7 +138,7 @@ void add_figures(const Plate& plate, const SlopeRun& run, std::vector<Figure>& f
         "The blocks that failed, and the ground left.");
 }
 
-// Models of one plate are compared, "2.I" with "2.I without cleavage", and have one scale.
+// Models of one plate, such as "2.I" and "2.I without cleavage", are compared at one scale.
 std::string_view number_of(const Plate& plate) {
     return plate.plate.substr(0, plate.plate.find(' '));
 }
@@ -155,7 +155,7 @@ void draw(const std::vector<SlopeRun>& runs, const ResultFolder& folder, Report&
         }
         set_one_scale(figures);
         for (Figure& figure : figures) {
-            // Figures end below the ground left standing: those that reach down to fallen blocks are mostly empty.
+            // Figures end below the ground left standing: down to the fallen blocks they would be mostly empty.
             auto& [bottom, top] = *figure.y.range;
             figure.height = static_cast<int>(figure.height * (top - lowest) / (top - bottom));
             bottom = lowest;

@@ -21,19 +21,19 @@ namespace delabole {
 
 namespace {
 
-// 2.2.3, in feet.
+// Levels of section 2.2.3, in feet.
 constexpr double foot_level = 350;
 constexpr double knee_level = 425;
 constexpr double top_level = 575;
 
-// The line from the foot of the failure up the lower surface and the upper one.
+// Returns the line from the foot of the failure up the lower surface and then the upper one.
 Polyline surface(double lower, double upper) {
     const double knee = (knee_level - foot_level) / std::tan(lower);
     return {Point(0, foot_level), Point(knee, knee_level),
             Point(knee + (top_level - knee_level) / std::tan(upper), top_level)};
 }
 
-// Figs 2.4 and 2.5: what the survey leaves open, between the gentlest and the steepest surfaces.
+// Figs 2.4 and 2.5 show what the survey leaves open, between the gentlest and the steepest surfaces.
 Figure profile_figure() {
     constexpr double left = -30;
     constexpr double right = 240;
@@ -68,15 +68,15 @@ Figure profile_figure() {
         Line{.points = face(degrees(60)), .legend = "face of the models, 60°", .dash = Dash::dashed});
     figure.series.emplace_back(
         Line{.points = face(degrees(70)), .legend = "face of Fig 2.8, 70°", .dash = Dash::dotted});
-    // Traced north of the fall at 420 ft; that it is the fault where the two surfaces meet is a speculation.
+    // The boundary was traced north of the fall at 420 ft; that it is the fault at the knee is speculation.
     figure.series.emplace_back(Line{.points = {Point(boundary_x - 60, 360), Point(boundary_x + 50, 470)},
                                     .legend = "green over grey slate, perhaps a fault: 420 ft, 45° to the pit",
                                     .colour = Colour::green});
     return figure;
 }
 
-// Fig 2.6: cracks and movements of the crest by their order behind the face, which is all that the text tells of their
-// places; seen from above, the pit in front.
+// Fig 2.6 is a plan, with the pit in front: it shows cracks and movements of the crest in their order behind the face,
+// which is all that the text tells of their places.
 Figure plan_figure() {
     constexpr double right = 10;
     Figure figure{.title = "Fig 2.6: plan of the crest, not to scale", .frame = false, .height = 480};
@@ -133,8 +133,8 @@ Direction direction_of(const SlopeCut& cut) {
     return direction;
 }
 
-// How each joint set, a fault and a discontinuity lie, as a short line with name and dip, in the space in front of the
-// face.
+// Draws the dip of each joint set, of a fault and of a discontinuity as a short line with its name, in the space in
+// front of the face.
 void add_directions(const RelaxationSlope& slope, Figure& figure) {
     constexpr double half = 0.025;     // m, of a line
     constexpr double between = 0.065;  // m
@@ -176,7 +176,7 @@ Figure scene_figure(std::string_view name, const std::string& title) {
     return figure;
 }
 
-// Fig 2.7: the column above pushes along joint A, what is below the fault is to pop out along cleavage and joint A.
+// Fig 2.7: the column above pushes along joint A, and the rock below the fault pops out along cleavage and joint A.
 void add_undercutting(Figure& figure) {
     const auto arrow = [&](const Point& from, const Point& to, const Label& label) {
         figure.arrows.push_back({.from = from, .to = to, .colour = Colour::vermilion});
@@ -190,7 +190,7 @@ void add_undercutting(Figure& figure) {
           {.at = head, .text = "pops out ", .align = Label::Align::right, .boxed = false, .size = 0.8});
 }
 
-// The faults that were modelled: into the slope out of one point of the face, to the pit out of one of the bottom.
+// Draws the modelled faults: those into the slope from one point of the face, those to the pit from one of the bottom.
 Figure fault_figure() {
     constexpr double height = 343;  // mm, of the models
     constexpr double length = 180;  // of a fault
@@ -218,7 +218,7 @@ Figure fault_figure() {
     return figure;
 }
 
-// Fig 2.15: one column of joint A with the water in the joint, and its resultant with the weight.
+// Fig 2.15 shows one column of joint A with the water in the joint, and the resultant of water and weight.
 Figure water_figure() {
     Figure figure{.title = "Fig 2.15: water in joint A, half and fully saturated",
                   .equal_scales = true,
@@ -242,7 +242,7 @@ Figure water_figure() {
         figure.series.emplace_back(Region{
             .outline = {foot, foot + length * up, foot + length * up + across, foot + across}, .colour = Colour::rock});
         figure.series.emplace_back(Line{.points = {foot + length * up, foot}, .width = 3.5});
-        // Pressure, drawn on the side of the rock behind the joint.
+        // The pressure is drawn on the side of the rock behind the joint.
         figure.series.emplace_back(
             Region{.outline = {foot, foot + filled * length * up, foot - 0.35 * filled * to_column},
                    .legend = left > 0 ? "pressure of the water in joint A" : "",
@@ -268,7 +268,7 @@ Figure water_figure() {
     return figure;
 }
 
-// Fig 2.1 from the ranges that the text prints: the poles themselves are not at hand.
+// Fig 2.1 is drawn from the ranges that the text prints, because the poles themselves are not available.
 Figure stereonet_figure(const Kinematics& model, const KinematicsResult& sets) {
     StereonetDrawing drawing{.title = "Fig 2.1: joint sets of the west face",
                              .slope = model.slope,
@@ -290,7 +290,7 @@ std::string model_name(const std::string& set) {
     return name;
 }
 
-// The sets' mean planes in the section across the face, from one point.
+// Draws the mean planes of the sets in the section across the face, through one point.
 Figure traces_figure(const KinematicsResult& sets) {
     Figure figure{.title = "Fig 2.1: mean planes in the section",
                   .x = {.title = "out of the slope to the left", .range = std::pair(-1.6, 1.6)},
@@ -299,7 +299,7 @@ Figure traces_figure(const KinematicsResult& sets) {
     constexpr std::array colours{Colour::blue, Colour::vermilion, Colour::green, Colour::orange, Colour::purple};
     std::size_t number = 0;
     for (const JointSetFeasibility& set : sets.joint_set) {
-        // A dip to the pit falls to the left.
+        // A plane that dips to the pit falls to the left.
         const Point along(std::cos(set.apparent_dip), std::sin(set.apparent_dip));
         figure.series.emplace_back(
             Line{.points = {-along, along},
@@ -311,7 +311,7 @@ Figure traces_figure(const KinematicsResult& sets) {
     return figure;
 }
 
-// Apparent dips of the sets beside those of the models; negative: into the slope.
+// Compares apparent dips of the sets with those of the models; negative dips are into the slope.
 void add_traces(const KinematicsResult& sets, double face_dip_direction, const ResultFolder& folder, Report& report,
                 Reproduction& result) {
     struct Printed {
@@ -385,7 +385,7 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
         water_figure(), "fig_2_15",
         "Angles are those of the resultant from the vertical. Forces to scale: U from the tilt of 47.5° when "
         "the joint is full."));
-    // The knee lies a third of the way up; between gentlest and steepest the failure's top moves by so much.
+    // The knee lies a third of the way up; between the gentlest and the steepest surfaces the top moves by this much.
     const double wide = surface(degrees(40), degrees(70)).back().x() - surface(degrees(45), degrees(75)).back().x();
     result.rows.push_back({"top of the failure behind its foot", "40 to 45° and 70 to 75°",
                            human_number(surface(degrees(45), degrees(75)).back().x(), 3) + " to " +

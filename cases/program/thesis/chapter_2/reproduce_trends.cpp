@@ -20,7 +20,7 @@ namespace {
 
 constexpr double joint_a_dip = degrees(70);
 constexpr double duration = 0.8;  // s; the belt runs by 16 cm
-// Slopes of one geometry, whose joints run elsewhere: where exactly they were cut is not printed.
+// The slopes of one geometry differ in where their joints run, since the thesis does not print where they were cut.
 constexpr std::size_t members = 4;
 
 struct Trial {
@@ -29,7 +29,7 @@ struct Trial {
     double cleavage_spacing = 0.02;  // m, as those of the joints
     double joint_a_spacing = 0.05;
     double joint_b_spacing = 0.025;
-    // Into the slope; with a fault the model is that of Plate 2.VI, and the rest stays as it is there.
+    // This dip is into the slope; a model with a fault is that of Plate 2.VI, and the rest stays as it is there.
     std::optional<double> fault_dip = {};
 };
 
@@ -38,7 +38,7 @@ JointSetCut& set_of(RelaxationSlope& slope, std::string_view name) {
     return std::get<JointSetCut>(cut->trace);
 }
 
-// The fault of Plate 2.VI turned about where it comes out in the face.
+// Rotates the fault of Plate 2.VI about the point where it daylights in the face.
 void turn_fault(double dip, RelaxationSlope& slope) {
     const SectionPoint& crest = slope.geometry.outline.back();
     const auto fault = std::ranges::find(slope.geometry.cut, "discontinuity", &SlopeCut::name);
@@ -54,7 +54,7 @@ void turn_fault(double dip, RelaxationSlope& slope) {
 RelaxationStudy study_of(const Trial& trial) {
     RelaxationStudy study = slope_model(trial.fault_dip ? "plate_2_vi" : "plate_2_iii");
     study.settings->duration = duration;
-    // Joints that cross anywhere leave sharp blocks, which softer ones would let be pressed through their neighbours.
+    // Joints that cross anywhere leave sharp blocks, which softer contacts would press through their neighbours.
     study.settings->stiffness_ratio = 5000;
     study.ensemble = EnsembleRequest{static_cast<double>(members), {}, {}};
     auto& slope = std::get<RelaxationSlope>(study.model.scene);
@@ -85,7 +85,7 @@ struct Response {
     double failed_width;  // m
 };
 
-// Nothing where the run was stopped without an answer.
+// Returns nothing if the run was stopped without an answer.
 std::optional<Response> respond(const Trial& trial, std::size_t member) {
     const RelaxationRun made = run(member_of(study_of(trial), member));
     if (!made.post_failure || made.result.outcome == RelaxationOutcome::overlap_too_large) {
@@ -192,8 +192,8 @@ std::vector<double> means_of(const Variation& series, double Response::*value) {
     return means;
 }
 
-// One of sixty orders of five values is monotone; a change counts where fewer than a tenth of all orders show it as
-// strongly. Differences below a tenth of a column, or of 2 deg, are none.
+// One of sixty orders of five values is monotone; a change counts if fewer than a tenth of all orders are as strongly
+// correlated. Differences below a tenth of a column, or below 2 deg, do not count.
 PrintedChange change_of(const std::vector<double>& response, const RankCorrelation& rank, double notable) {
     const auto [least, greatest] = std::ranges::minmax_element(response);
     if (*greatest - *least < notable || rank.significance > 0.1) {
@@ -202,7 +202,7 @@ PrintedChange change_of(const std::vector<double>& response, const RankCorrelati
     return rank.value > 0 ? PrintedChange::rises : PrintedChange::falls;
 }
 
-// Slightly: by less than half.
+// A slight change is one by less than half.
 bool agrees(PrintedChange printed, PrintedChange found, const std::vector<double>& response) {
     const auto [least, greatest] = std::ranges::minmax_element(response);
     return printed == found ||
@@ -231,7 +231,7 @@ void add_trend(const PrintedTrend& printed, const Variation& series, Reproductio
              (printed.doubt.empty() ? "" : "; in the thesis too: " + printed.doubt)});
 }
 
-// Fig 2.14 says beside its drawings how wide the failure is at the crest.
+// Beside its drawings Fig 2.14 states how wide the failure is at the crest.
 void add_widths(const Variation& constant, const Variation& growing, Reproduction& result) {
     const auto mean = [](const Variation& series) {
         const std::vector<double> widths = means_of(series, &Response::failed_width);
@@ -247,7 +247,7 @@ void add_widths(const Variation& constant, const Variation& growing, Reproductio
                                "else was varied is not printed"});
 }
 
-// `top`: of the axis, the same in all figures.
+// `top` is the upper end of the vertical axis, the same in all figures.
 Figure figure_of(const Variation& series, double top) {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     Figure figure{.title = series.figure + ": " + series.name,

@@ -19,9 +19,9 @@ std::string in_millimetres(double length) {
     return human_number(length * 1e3, 2) + " mm";
 }
 
-// 2.2.3: lower surface at 40 to 45 deg up to level 425 ft, a third of the way from 350 to 575 ft, upper one at 70
-// to 75. As surveyed roughly, 5 deg either way, and 0.1 of the height. In part: a lower surface that rises into the
-// slope and is gentler than the upper one by 15 deg. A failure of less than a hundredth of the height's square is none.
+// 2.2.3: the lower surface dips 40 to 45 deg up to level 425 ft, a third of the way from 350 to 575 ft, the upper one
+// 70 to 75. The rough survey allows 5 deg either way, and 0.1 of the height. `partly`: the lower surface rises into the
+// slope, 15 deg gentler than the upper one. A failure of under a hundredth of the height's square is none.
 void score_profile(const PostFailure& end, FieldScore& score) {
     constexpr double tolerance = degrees(5);
     constexpr double third = 1.0 / 3;
@@ -44,12 +44,12 @@ void score_profile(const PostFailure& end, FieldScore& score) {
                              in_degrees(answer.upper_angle) + " above";
 }
 
-// Along toppling joints, which dip steeply into the slope.
+// Counts the cracks along toppling joints, which dip steeply into the slope.
 std::ptrdiff_t toppling_cracks(const PostFailure& early) {
     return std::ranges::count_if(early.crack, [](const CrestCrack& crack) { return crack.dip < -degrees(45); });
 }
 
-// 2.2.3 and 2.4.1: several open cracks, parallel to the toppling joints.
+// 2.2.3 and 2.4.1 describe several open cracks, parallel to the toppling joints.
 void score_cracks(const PostFailure& early, FieldScore& score) {
     const std::ptrdiff_t open = toppling_cracks(early);
     const auto others = static_cast<std::ptrdiff_t>(early.crack.size()) - open;
@@ -57,7 +57,7 @@ void score_cracks(const PostFailure& early, FieldScore& score) {
     score.cracks_in_words = std::to_string(open) + " steeply into the slope, " + std::to_string(others) + " others";
 }
 
-// 2.2.3.4: rock near the face moves to the pit, the wedge between the cracks tilts the other way and subsides.
+// 2.2.3.4: rock near the face moves to the pit; the wedge between the cracks tilts the other way and subsides.
 void score_movements(const PostFailure& early, FieldScore& score) {
     if (toppling_cracks(early) < 2) {
         score.movements = FieldVerdict::no;

@@ -99,8 +99,8 @@ BaseFrictionGeometry geometry_of(const BaseFrictionState& state) {
     geometry.joint_dip = state.joint_dip;
     geometry.joint_spacing = state.joint_spacing;
     geometry.cross_joint_spacing = state.cross_joint_spacing;
-    // Three heights where no boundary was to be felt (3.2.2, 2'); 12(R): 22 columns; 10 in, as of models 6 to 11, where
-    // nothing is printed.
+    // Three heights of ground avoid boundary effects (3.2.2, 2'); 12(R) has 22 columns; where nothing is printed, 10 in
+    // is taken, as in models 6 to 11.
     const double near_surface = state.test == "12(R)" ? 15 * inch : 10 * inch;
     geometry.slope_surface = free ? 3 * height : state.slope_surface.value_or(near_surface);
     if (free) {
@@ -112,7 +112,7 @@ BaseFrictionGeometry geometry_of(const BaseFrictionState& state) {
         geometry.front = 6 * inch;
     }
     geometry.vertical_cut = state.toe == ToeChange::vertical_cut ? 3 * inch : 0;
-    // Slopes 3(R) and 4(L) stood on model material without the restraint of the toe: on a cut of their own.
+    // Slopes 3(R) and 4(L) stood on model material without the restraint of the toe, as on a cut of their own.
     const bool stands_on_cut = state.test == "3(R)" || state.test == "4(L)";
     geometry.horizontal_cut =
         state.foundation == SlopeFoundation::tin_strip || state.toe == ToeChange::horizontal_cut || stands_on_cut;
@@ -125,12 +125,12 @@ RelaxationSlope model_as_cut(const BaseFrictionGeometry& geometry) {
     slope.geometry.outline = outline_of(geometry);
     slope.geometry.cut = cuts_of(geometry);
     slope.geometry.intact_joint = "joint";  // where rock is divided so that blocks are convex
-    // The median block is a piece of a column. What is as wide as the columns is no sliver.
+    // The median block is a piece of a column. A piece as wide as the columns does not count as a sliver.
     const double length =
         geometry.cross_joint_spacing.value_or((geometry.slope_height + geometry.depth) / std::sin(geometry.joint_dip));
     const double size = std::sqrt(geometry.joint_spacing * length);
     slope.geometry.sliver_share = std::min(0.15, 0.5 * geometry.joint_spacing / size);
-    // No joint is cut truer by hand.
+    // A joint cut by hand is no more accurate than this.
     slope.geometry.snap_distance = 0.03 * geometry.joint_spacing;
     slope.rock = {{"mixture", mixture_density}};
     RelaxationJoint joint{};

@@ -83,7 +83,7 @@ struct Guess {
     Selection fails;
 };
 
-// Made after the tests were seen.
+// This rule was made after the tests had been seen.
 bool steep_or_changed(const BaseFrictionState& state) {
     return is_steep(state) || state.foundation != SlopeFoundation::model_material || state.toe != ToeChange::as_built;
 }
@@ -136,7 +136,7 @@ void add_by_behaviour(const std::array<Polyline, 3>& points, Figure& figure) {
     }
 }
 
-// Every test at its place, those at the same place side by side.
+// Draws every test at its place, and tests at the same place side by side.
 Figure behaviour_figure(const States& states) {
     Figure figure{.title = "Base friction tests (Table 3.2)",
                   .x = {.title = "slope angle", .unit = "deg", .range = std::pair(56, 84)},
@@ -161,7 +161,7 @@ Figure behaviour_figure(const States& states) {
     return figure;
 }
 
-// The bottom of a model: the face over the height and the ground behind the crest, cut by joints of one spacing.
+// Number of columns at the bottom of a model, below its face and the ground behind the crest.
 double columns_at_bottom(const BaseFrictionState& state, double slope_surface) {
     return (state.slope_height() / std::tan(state.slope_angle) + slope_surface) * std::sin(state.joint_dip) /
            state.joint_spacing;
@@ -180,7 +180,7 @@ void add_base_columns(const States& states, Reproduction& result) {
     }
 }
 
-// Initiation gets later as a cross-jointed slope gets lower: 11''_S, 11''_S1, 11''_S2.
+// Failure begins later in lower cross-jointed slopes: 11''_S, 11''_S1, 11''_S2.
 bool lower_is_later(const States& states) {
     std::vector<std::pair<double, double>> height_and_time;
     for (const BaseFrictionState& state : states) {
@@ -213,7 +213,7 @@ void add_crack_angles(const States& states, Reproduction& result) {
                            statement(2 * usual > static_cast<long>(cracked.size()))});
 }
 
-// One line of Fig 3.2: right or left slopes over the height, in inches.
+// Returns one line of Fig 3.2, of right or left slopes over the height in inches.
 template <class Value>
 Line height_line(const std::string& legend, Colour colour, const Value& value) {
     Line line{.legend = legend, .colour = colour};
@@ -236,10 +236,10 @@ void add_marks(Figure& figure) {
     }
 }
 
-// A point for each column, by the number of the column; joints dip into the slope.
+// A point of the crack path for each column, by its number; joints dip into the slope.
 using PathOfColumns = std::map<int, Point>;
 
-// Least squares.
+// The line is fitted by least squares.
 double inclination_of(const PathOfColumns& path) {
     Point mean(0, 0);
     for (const auto& [column, point] : path) {
@@ -254,8 +254,8 @@ double inclination_of(const PathOfColumns& path) {
     return std::atan2(up, along);
 }
 
-// The path under what moves: of each column the lowest block that has failed; where all comes to rest, the middle of
-// what has broken of a column.
+// The path lies under the moving blocks: at the lowest failed block of each column; if all blocks come to rest, in the
+// middle of the broken part of a column.
 PathOfColumns crack_path(const RelaxationRun& made, double joint_dip, double spacing) {
     const Bodies bodies = make_bodies(made.scene);
     PathOfColumns path;
@@ -288,12 +288,12 @@ PathOfColumns crack_path(const RelaxationRun& made, double joint_dip, double spa
         const auto lowest = path.emplace(column, centre).first;
         lowest->second = centre.y() < lowest->second.y() ? centre : lowest->second;
     }
-    // Nothing stays below what moves of a sliver behind the last column.
+    // A moving sliver behind the last column has no block below it that stays.
     std::erase_if(path, [&](const auto& column) { return !stays.contains(column.first); });
     return path;
 }
 
-// The case of 15(L) cut as another model on the steel frame, with 10 in of ground behind the crest.
+// Changes the case of 15(L) into another model, on the steel frame and with 10 in of ground behind the crest.
 std::vector<Setting> cut_as(const BaseFrictionState& state) {
     constexpr double behind = 10;
     const double height = state.slope_height() / inch;
@@ -371,7 +371,7 @@ Reproduction reproduce_base_friction_run(const ResultFolder& folder, Report& rep
         report.blocks.emplace_back(folder.draw(crack_figure(one, printed, made[index], path), file,
                                                "Broken rock of the run, its path and the printed one."));
     }
-    // The other models with a face of 80 deg, which have joints of 80 deg, too.
+    // The other models with a face of 80 deg have joints of 80 deg, too.
     double least = degrees(90);
     double most = 0;
     for (const BaseFrictionState& one : states) {

@@ -35,7 +35,7 @@ struct DrawnModel {
     Frame frame;
 };
 
-// A joint of teeth from the crest down to the bottom, whose size is not printed.
+// Draws a saw-toothed joint from the crest down to the bottom; the size of its teeth is not printed.
 Polyline saw_tooth_joint(const BaseFrictionGeometry& geometry) {
     constexpr double tooth = 1;     // in, along the joint
     constexpr double height = 0.4;  // in, of a tooth
@@ -90,7 +90,7 @@ std::string caption_of(const BaseFrictionState& state) {
     return text;
 }
 
-// The models of a plate beside each other, all with the toe to the left.
+// Draws the models of a plate beside each other, all with the toe to the left.
 Figure plate_figure(const std::string& plate, const std::vector<const BaseFrictionState*>& models) {
     constexpr double gap = 4;  // in
     BlockDrawing drawing{.title =
@@ -158,7 +158,7 @@ Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& 
     for (const std::string& plate : plates) {
         std::vector<const BaseFrictionState*> models;
         for (const PlateModel& row : rows) {
-            // The state in which a test ended.
+            // The last state is the one in which the test ended.
             const auto last = std::find_if(states.rbegin(), states.rend(),
                                            [&](const BaseFrictionState& state) { return state.test == row.test; });
             if (row.plate == plate && last != states.rend()) {

@@ -26,7 +26,7 @@ namespace delabole {
 
 namespace {
 
-// Nothing where no mode is admissible (block_row_search.hpp says when that may be).
+// Returns nothing if no mode is admissible (block_row_search.hpp tells when that may be).
 std::optional<RowAnswer> row_answer(const std::vector<double>& heights, double interface_friction,
                                     double base_friction) {
     BlockRow<> row{};
@@ -49,7 +49,7 @@ double angle_of(std::string_view key) {
     return (found->least + found->most) / 2;
 }
 
-// "6 and 7": between the last column that moves and the first that stands; empty where all or none move.
+// "6 and 7": the last column that moves and the first that stands; empty if all or none move.
 std::string crack_place(const std::string& mode) {
     const std::size_t first = mode.find(row_role::stands);
     if (first == std::string::npos || first == 0) {
@@ -58,7 +58,7 @@ std::string crack_place(const std::string& mode) {
     return std::to_string(first) + " and " + std::to_string(first + 1);
 }
 
-// Equal columns: those that may part turn one by one; pressed together they drag on one another.
+// Equal columns turn one by one if they may part; if they are pressed together they drag on one another.
 struct EqualColumns {
     bool slides;    // before any turns
     double parted;  // rad, critical tilts
@@ -188,7 +188,7 @@ struct RowOfHeights {
     std::string crack() const { return answer ? crack_place(answer->mode) : std::string(); }
 };
 
-// Toes that all slide forward below standing columns: no motion but the most that pressing can hold.
+// If all turning toes slide forward below standing columns, the mode is no motion but the limit of pressing.
 bool is_limit_of_pressing(const std::string& mode) {
     return mode.find(row_role::stands) != std::string::npos && mode.find(row_role::forward) != std::string::npos &&
            mode.find_first_of({row_role::pivot, row_role::backward}) == std::string::npos;
@@ -212,7 +212,7 @@ std::vector<RowOfHeights> rows_of_heights(double friction) {
     return rows;
 }
 
-// Friction, the same everywhere, at which nine columns begin to move at a tilt, but by sliding alone.
+// Finds the friction, the same everywhere, at which nine columns begin to move at a tilt other than by sliding alone.
 std::optional<double> friction_of_nine_columns(double tilt) {
     std::vector<double> candidates;
     // The scan begins where nothing slides at that tilt.
@@ -274,7 +274,7 @@ Tally within_thesis_limits(const std::vector<RowOfHeights>& rows) {
     return score;
 }
 
-// Even numbers against the mean of both odd neighbours, where columns turn.
+// Compares even numbers of columns with the mean of both odd neighbours, where columns turn.
 Tally even_numbers_stabler(const std::vector<RowOfHeights>& rows) {
     Tally score;
     for (std::size_t index = 1; index + 1 < rows.size(); ++index) {

@@ -1,4 +1,4 @@
-// Figs 3.4, 3.6, 3.7 and Plate 3.XIV of the thesis as runs on a tilting frame, with plaster's scatter.
+// Runs Figs 3.4, 3.6, 3.7 and Plate 3.XIV of the thesis on a tilting frame, with the scatter of plaster.
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/chapter_3/chapter_3.hpp"
@@ -24,13 +24,13 @@ namespace {
 
 constexpr std::uint64_t samples = 4;
 
-// Short slips at 8 to 22 deg between columns, sliding for good at 29 to 36.5 deg (3.3.2.1, 4.2): the middle of either,
-// and two standard deviations to its ends.
+// Short slips occur at 8 to 22 deg between columns, lasting sliding at 29 to 36.5 deg (3.3.2.1, 4.2): both are taken at
+// their middle, with two standard deviations to the ends.
 PlasterFriction scattered_plaster_friction() {
     return {degrees(15), degrees(33), degrees(3.5)};
 }
 
-// Mean and range over the samples of one place in a figure.
+// Mean and range over the samples at one point of a figure.
 struct Sampled {
     double x = 0;
     std::vector<double> value = {};  // rad
@@ -57,7 +57,7 @@ struct Curve {
     std::vector<Sampled> at;
 };
 
-// Runs of all the places of curves; `value` is the tilt of a place, by its curve, number and sample.
+// Runs all points of the curves; `value` gives the tilt at a point, by its curve, number and sample.
 void sample(std::vector<Curve>& curves, std::uint64_t per_place, const ResultFolder& folder, const PartOfWork& part,
             const std::function<std::optional<double>(std::size_t, const Sampled&, std::uint64_t)>& value) {
     struct Task {
@@ -93,7 +93,7 @@ std::vector<Sampled> places(int from, int to) {
     return result;
 }
 
-// Means with their standard deviation. Those of several curves stand beside one another, where lines would mislead.
+// Draws means with their standard deviations. Points of several curves are drawn side by side, without lines.
 void draw_curves(Figure& figure, const std::vector<Curve>& curves) {
     constexpr std::array markers{Marker::filled_circle, Marker::filled_square, Marker::filled_triangle,
                                  Marker::filled_diamond, Marker::cross};
@@ -191,7 +191,7 @@ void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction&
                const std::optional<FrameFailure> failure = tilt_until_failure(row);
                return failure ? std::optional(failure->tilt) : std::nullopt;
            });
-    // How often one column more stands at greater tilt, of so many steps.
+    // Counts the steps in which one column more stands at a greater tilt.
     const auto stabler = [&](const std::vector<Curve>& rows) {
         int number = 0;
         for (std::size_t count = 1; count < legends.size(); ++count) {
@@ -304,7 +304,7 @@ double fastest(const MotionFrame& frame, std::size_t columns) {
 Figure frame_figure(const RelaxationRun& made, const MotionFrame& frame, const std::string& title) {
     const Bodies bodies = make_bodies(made.scene);
     BlockDrawing drawing{.title = title};
-    // The base goes on for metres; of it is drawn what lies below the columns.
+    // The base extends for metres; only the part below the columns is drawn.
     constexpr double margin = 0.03;  // m
     Extent columns;
     for (std::size_t index = 0; index < bodies.size(); ++index) {
@@ -330,10 +330,10 @@ Figure frame_figure(const RelaxationRun& made, const MotionFrame& frame, const s
     return block_figure(drawing);
 }
 
-// An arrow to the crack above that column, counted from 1, and its width at the height of the next one.
+// Draws an arrow to the crack above that column, counted from 1, with its width at the height of the next one.
 void point_at_crack(const RelaxationRun& made, const MotionFrame& frame, std::size_t column, Figure& figure) {
     const Bodies bodies = make_bodies(made.scene);
-    // The corner of a block that lies farthest that way.
+    // Returns the corner of a block that is farthest in that direction.
     const auto corner = [&](std::size_t block, const PlanePoint<>& way) {
         PlanePoint<> found = moved_corner(bodies, frame.motion, bodies.range[block].begin);
         for (std::size_t at = bodies.range[block].begin + 1; at < bodies.range[block].end; ++at) {
@@ -357,8 +357,8 @@ void point_at_crack(const RelaxationRun& made, const MotionFrame& frame, std::si
         {.at = arrow.from, .text = "crack, " + human_number(1e3 * (next.x() - face), 2) + " mm", .raise = 0.6});
 }
 
-// Plate 3.XIV: friction between the columns chosen for what is printed, that on the base the middle of what was
-// measured.
+// Plate 3.XIV: the friction between columns is chosen to match what is printed, that on the base is the middle of what
+// was measured.
 void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
     constexpr std::size_t columns = 9;
     FrameRow row{growing_and_falling(columns), scattered_plaster_friction(), 0};

@@ -36,7 +36,7 @@ RelaxationJoint plaster(double friction) {
 
 RelaxationRow row_of(const FrameRow& row) {
     RelaxationRow made{};
-    // A column topples at atan(b / a) at the earliest, slides later.
+    // A column topples at atan(b / a) at the earliest, and slides only later.
     made.tilt = 0.85 * std::atan(1 / *std::ranges::max_element(row.heights));
     made.density = column_density;
     made.interface = plaster(row.friction.interface);
@@ -50,7 +50,7 @@ RelaxationRow row_of(const FrameRow& row) {
     return made;
 }
 
-// Anticlockwise, without its corners.
+// The outline is anticlockwise and lacks the corners.
 RelaxationPolygon worn_block(double left, double bottom, double height, double wear) {
     RelaxationPolygon block{};
     block.density = column_density;

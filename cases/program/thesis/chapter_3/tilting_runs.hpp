@@ -9,7 +9,7 @@
 
 namespace delabole {
 
-// Friction of plaster, mean and standard deviation of every joint; the scatter of heights is that of the saw.
+// Friction of plaster: means, and the standard deviation of every joint; heights scatter as the saw cuts them.
 struct PlasterFriction {
     double interface;  // rad, between columns
     double base;
@@ -20,7 +20,7 @@ struct PlasterFriction {
 inline constexpr int least_height = 2;
 inline constexpr int most_height = 9;
 
-// 1, 2, ... inches up and down again; the greatest height stands twice where the number of columns is even (3.3.2.2).
+// Heights grow by an inch and fall again; the greatest stands twice if the number of columns is even (3.3.2.2).
 std::vector<double> growing_and_falling(int count);
 
 struct FrameRow {
@@ -35,7 +35,7 @@ struct FrameFailure {
     std::size_t crack_after = 0;  // number of the column below it; 0: none
 };
 
-// Tilted evenly from below any failure up to 40 deg, or until a column fails. Absent where the run broke off.
+// Tilts the row evenly from below any failure up to 40 deg, or until a column fails. Absent if the run broke off.
 std::optional<FrameFailure> tilt_until_failure(const FrameRow& row);
 
 // One column, in one piece or of cubes, with worn edges: each corner lacks `wear` inches, and every cube lies out of
@@ -50,7 +50,7 @@ struct WornColumn {
 
 std::optional<double> critical_tilt(const WornColumn& column);
 
-// A row tilted to 40 deg, whatever happens: how it stands at given tilts.
+// Tilts a row to 40 deg, whatever happens, to show how it stands at given tilts.
 RelaxationRun tilt_all_the_way(const FrameRow& row);
 
 }  // namespace delabole

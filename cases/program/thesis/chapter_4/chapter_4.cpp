@@ -1,6 +1,6 @@
-// The thesis's chapter 4 but for Bray's analysis (Appendix A), with the theoretical curve of Fig 3.4. Most figures are
-// cases; here is what needs code of its own for single blocks, in reproduce_two_blocks.cpp and
-// reproduce_multiple_blocks.cpp for rows.
+// The thesis's chapter 4, except Bray's analysis (Appendix A), with the theoretical curve of Fig 3.4. Most figures are
+// cases; this file has the code for single blocks, reproduce_two_blocks.cpp and reproduce_multiple_blocks.cpp that for
+// rows.
 #include "cases/program/thesis/chapter_4/chapter_4.hpp"
 #include "cases/program/models/single_block/chart.hpp"
 #include "cases/program/thesis/reproduction.hpp"

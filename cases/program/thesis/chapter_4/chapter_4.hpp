@@ -17,7 +17,7 @@ Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report);
 Reproduction reproduce_equations_14_to_19(const ResultFolder& folder, Report& report);
 
-// Blocks of width 1 m and one weight; angles of friction in degrees.
+// Makes blocks of width 1 m and equal weight; angles of friction are in degrees.
 BlockRow<> equal_row(int count, double slenderness, double interface_friction, double base_friction);
 
 // A printed angle beside the computed one, degrees.
@@ -30,10 +30,10 @@ double tangent(double angle_in_degrees);
 
 double in_degrees(double tangent_of_angle);
 
-// Degrees; NaN, a gap in a curve, where the tangent of an equation is no tilt between 0 and 90 deg.
+// In degrees; NaN, a gap in a curve, if the tangent does not give a tilt between 0 and 90 deg.
 double tilt_or_gap(double tangent_of_tilt);
 
-// The curve of a function over so many equal steps.
+// The curve of a function in `steps` equal steps.
 Line curve(double from, double to, const std::string& legend, Colour colour, Dash dash,
            const std::function<double(double)>& value, int steps = 100);
 

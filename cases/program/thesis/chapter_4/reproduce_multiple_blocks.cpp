@@ -22,7 +22,7 @@ BlockRow<> equal_row(int count, double slenderness, double interface_friction, d
 
 namespace {
 
-// The modes in which all blocks turn, each by itself: what the thesis counts.
+// Returns the modes in which all blocks turn, each by itself, which are those that the thesis counts.
 std::vector<RowModeSummary> whole_row_modes(int count, double slenderness, double phi, double psi) {
     std::vector<RowModeSummary> modes;
     for (const RowModeSummary& mode : analyse(equal_row(count, slenderness, phi, psi)).mode) {
@@ -47,8 +47,8 @@ struct ToeMotion {
 constexpr std::array toe_motions{ToeMotion{row_role::forward, "F: toe slides forward", Colour::blue, -0.7},
                                  ToeMotion{row_role::backward, "B: toe slides backward", Colour::vermilion, 0.7}};
 
-// The modes in the order of the thesis's letters, of which those of three blocks follow from (14) to (17); its figure
-// of four blocks is not legible, and they keep the order of the model.
+// Returns the modes in the order of the thesis's letters. Those of three blocks follow from (14) to (17); its figure of
+// four blocks is not legible, so they keep the order of the model.
 std::vector<RowModeSummary> lettered_modes(int count) {
     constexpr std::array<std::string_view, 5> printed{"FFP", "FPB", "PBB", "FBB", "FFB"};
     std::vector<RowModeSummary> modes = whole_row_modes(count, 3, 20, 30);
@@ -59,8 +59,8 @@ std::vector<RowModeSummary> lettered_modes(int count) {
     return modes;
 }
 
-// All modes side by side, each block with its letter below its toe, turned, and its toe with the direction in which it
-// slides: a turn of 15 deg moves toes apart by only 1 / cos 15 deg - 1 = 4 % of a width, too little to be seen.
+// Draws all modes side by side: each block turned, its letter below its toe, and the direction in which the toe slides.
+// A turn of 15 deg moves toes apart by only 1 / cos 15 deg - 1 = 4 % of a width, too little to be seen.
 Figure mode_gallery(int count) {
     constexpr double slenderness = 3;
     constexpr double tilt = degrees(20);
@@ -201,7 +201,7 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
             const std::array tilts{line(first)[point].y(), line(2)[point].y(), line(3)[point].y()};
             return static_cast<std::size_t>(std::ranges::min_element(tilts) - tilts.begin());
         };
-        // Both with (14) as printed and as derived; the curves end in common points, which are left out.
+        // The results are for (14) as printed and as derived; the common end points of the curves are left out.
         const auto least_in_words = [&](std::size_t first) {
             std::size_t least = least_of_three(1, first);
             std::string text(letters[least]);

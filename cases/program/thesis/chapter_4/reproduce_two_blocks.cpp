@@ -41,7 +41,7 @@ Line single_block_line(double slenderness, double from, double to) {
 
 constexpr double highest_psi = 50;  // deg, of the graphs
 
-// Both modes of two blocks over base friction, for both frictions of the interface. Below atan(b / a) they slide.
+// Draws both modes of two blocks over base friction, for both interface frictions. Below atan(b / a) they slide.
 Figure modes_figure(double slenderness, double w) {
     const std::string ratio = number_in_words(slenderness);
     Figure figure = tilt_figure("Two blocks, a/b = " + ratio, "base friction ψ", "deg");
@@ -58,7 +58,7 @@ Figure modes_figure(double slenderness, double w) {
     return figure;
 }
 
-// Both printed values for a/b = 9, on the forward mode with this share of the weight in the lower block.
+// Marks both printed values for a/b = 9 on the forward mode with this share of the weight in the lower block.
 void mark_printed_boundaries(Figure& figure, double w) {
     std::vector<PrintedStatement> printed;
     for (std::size_t index = 0; index < frictions.size(); ++index) {
@@ -78,8 +78,8 @@ void mark_printed_boundaries(Figure& figure, double w) {
     mark_statements(printed, 1, 1, figure);
 }
 
-// Share of the lower block's weight that gives both printed boundaries best: one step of Gauss and Newton from between
-// the two shares that give one each, which differ by 0.0001.
+// Finds the share of the lower block's weight that fits both printed boundaries best, by one Gauss-Newton step from the
+// middle of the two shares that fit one each, which differ by 0.0001.
 double least_squares_share(const std::array<double, 2>& shares, double slenderness) {
     constexpr double change = 1e-4;
     const double middle = (shares[0] + shares[1]) / 2;
@@ -108,7 +108,7 @@ Interaction interaction(std::string_view roles, double slenderness, double phi, 
     return {mode.check, mode.tangent, mode.forces.empty() ? 0 : mode.forces.front().thrust / members.front().weight};
 }
 
-// How often S is compressive where the thesis has it so. A closed form leaves rounding where S is 0.
+// Counts where S is compressive as the thesis states. Closed forms leave rounding where S is 0.
 struct SignsOfInteraction {
     int forward = 0;
     int forward_as_printed = 0;  // compressive just where psi > theta and phi + psi < 90 deg
@@ -116,7 +116,7 @@ struct SignsOfInteraction {
     int backward_compressive = 0;
 };
 
-// No sum of the angles of this grid is 90 deg, and none is the angle at which a block topples alone.
+// In this grid no two angles add up to 90 deg, and none is the angle at which a block topples alone.
 SignsOfInteraction signs_of_interaction() {
     constexpr double rounding = 1e-12;
     SignsOfInteraction signs;
