@@ -35,7 +35,7 @@ enum class ColumnKind { continuous, cross_jointed, saw_tooth };
 
 enum class ModelSurroundings { near_frame, boundary_free };
 
-// A row of Table 3.2: one state of a base friction model and what became of it.
+// A row of Table 3.2: one state of a base friction model and its outcome.
 struct BaseFrictionState {
     std::string test;
     double slope_angle;
@@ -91,7 +91,7 @@ struct BaseFrictionState {
     }
 };
 
-// A row of Table 3.3, a point of Fig 3.2: slopes on the right and left of the table.
+// A row of Table 3.3, which is a point of Fig 3.2: slopes on the right and left of the table.
 struct SlopeHeightVariation {
     double model;
     double slope_angle;

@@ -51,7 +51,7 @@ struct ScreenColumn {
     std::size_t width;  // characters
 };
 
-// With two blanks between them 118 characters.
+// With two blanks between columns a line has 118 characters.
 constexpr std::array<ScreenColumn, 5> screen_columns{
     {{"quantity", 46}, {"printed", 22}, {"computed", 22}, {"difference", 13}, {"met", 7}}};
 
@@ -90,7 +90,7 @@ std::string screen_row(const std::array<std::string, screen_columns.size()>& cel
     return text;
 }
 
-// Below its row, indented.
+// The note stands below its row, indented.
 std::string screen_note(const std::string& text) {
     constexpr std::size_t width = 114;  // with the indentation as wide as the columns
     std::string note;

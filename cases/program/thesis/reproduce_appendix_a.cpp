@@ -9,7 +9,7 @@
 
 namespace delabole {
 
-// The thesis gives bare numbers: in the case 1 is 1 m and 1 kN/m3.
+// The thesis gives bare numbers: in the case 1 stands for 1 m and 1 kN/m3.
 SteppedBase<> appendix_a(double friction_angle) {
     SteppedBase<> problem = std::get<SteppedBaseStudy<>>(built_in_case("stepped_base", "appendix_a").model).model;
     problem.joints.friction_angle = friction_angle;
@@ -25,9 +25,9 @@ namespace {
 
 constexpr int crest_column = 4;
 
-// Program CAL of Appendix A, line by line where that matters: from the toe up, P is what the column above may push
-// with, the lesser of what topples and what slides it; friction is changed in smaller and smaller steps until nothing
-// is left at the tension crack.
+// Program CAL of Appendix A, line by line where that matters: from the toe up, P is the push that a column can bear
+// from above, the smaller of those that topple and slide it; friction is changed in ever smaller steps until P is zero
+// at the tension crack.
 struct ThesisProgram {
     double friction = 0.8;
     int last_column = 0;  // below the tension crack
@@ -49,7 +49,7 @@ ThesisProgram run_thesis_program() {
     }
     const double fall_of_tops = 0.4;  // TD
     const double rise_of_tops = 1.5;  // TI
-    // P at the last column, or at the first that nothing need push.
+    // Returns P at the last column, or at the first at which it is not positive.
     const auto last_force = [&](double friction, bool& reached_crack) {
         double force = 0;
         for (int column = 1; column <= program.last_column; ++column) {
@@ -81,7 +81,7 @@ ThesisProgram run_thesis_program() {
                 program.converged = true;
                 return program;
             }
-            // The same friction once more: the step is too large.
+            // If the same friction occurs again, the step is too large.
             change /= std::abs(program.friction - last_lowered) < change / 100 ? 10 : 1;
             last_lowered = program.friction;
             program.friction -= change;

@@ -17,7 +17,7 @@ namespace delabole {
 
 namespace {
 
-// Factors of safety; of a tilting table critical tilts in degrees.
+// Published factors of safety; for a tilting table they are critical tilts in degrees.
 struct PublishedFactors {
     std::string problem;
     std::string name;  // of the case
@@ -71,7 +71,7 @@ struct Problem {
 
     const RelaxationStudy& study() const { return std::get<RelaxationStudy>(file.model); }
     Dimension dimension() const { return dimension_of(parameter_of(*study().critical)); }
-    // The value in the unit of the published ones.
+    // Converts a value to the unit of the published ones.
     double shown(double value) const { return in_display_unit(value, dimension()); }
 };
 
@@ -124,7 +124,7 @@ Remark verdict(const Problem& problem) {
     return statement(within) + (within ? ": within" : ": outside") + " the span of the codes";
 }
 
-// Why values of the case are not met, where it says so.
+// Collects the reasons that a case gives for values that are not met.
 std::string reasons(const CaseFile& file) {
     std::string text;
     for (const Expectation& expectation : file.expectations) {
@@ -162,7 +162,7 @@ Table factor_table(const std::vector<Problem>& problems) {
     return table;
 }
 
-// Published values over those found here, problem by problem.
+// Draws published values divided by those found here, problem by problem.
 Figure factor_figure(const std::vector<Problem>& problems) {
     Figure figure{.title = "Published values over those of strength reduction",
                   .x = {.title = "problem"},

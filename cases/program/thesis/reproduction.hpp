@@ -12,7 +12,7 @@
 
 namespace delabole {
 
-// Whether what is printed holds; `none` where a number stands beside the printed one, or nothing is printed.
+// Whether a printed statement holds; `none` if a number is only compared with the printed one, or nothing is printed.
 enum class RowVerdict { none, met, not_met };
 
 // A row's verdict, and why or by how much.
@@ -30,7 +30,7 @@ struct Remark {
     }
 };
 
-// A verdict alone, to which words are added.
+// Starts a remark with the verdict, to which words are added.
 Remark statement(bool met);
 Remark operator+(Remark remark, std::string_view more);
 // "statement NOT met: within a degree of the limit".
@@ -78,15 +78,15 @@ ReproductionChapter chapter_5();
 ReproductionChapter appendix_a_chapter();
 ReproductionChapter published_problems();
 
-// A part of an item's work, in words, and the shares of the whole at which it begins and ends, 0 to 1.
+// A part of an item's work, in words, with the shares of the whole at which it begins and ends, 0 to 1.
 struct PartOfWork {
     std::string what;
     double begin = 0;
     double end = 1;
 };
 
-// task(0) ... task(count - 1) on the threads of the folder, which is told of the progress. Interrupted once the flag of
-// cases/program/terminal/interrupt.hpp is set: tasks under way may look at it and end sooner.
+// Runs task(0) ... task(count - 1) on the threads of the folder, which gets the progress. Throws Interrupted once the
+// flag of cases/program/terminal/interrupt.hpp is set: tasks under way may check it and end sooner.
 void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t count,
               const std::function<void(std::size_t)>& task);
 
@@ -95,7 +95,7 @@ std::string columns_in_words(const std::vector<std::string_view>& does);
 // In words; differences below 1e-9 are rounding and shown as 0.
 std::string difference_in_words(double difference);
 Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows);
-// For a terminal of 120 columns: rows below their place in the thesis, what is said of each below it.
+// Table for a terminal of 120 columns: rows below their place in the thesis, with the remark on each below it.
 std::string screen_table(const std::vector<PrintedRow>& rows);
 
 // How many rows meet what is printed: statements do or do not, and a number stands beside the printed one with its

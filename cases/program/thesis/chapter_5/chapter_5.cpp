@@ -41,7 +41,7 @@ std::string printed_in_words(const Chapter5Run& run) {
                                : in_words(run.printed);
 }
 
-// Adds the cycle at which the first block has turned by a degree.
+// Outcome in words, with the cycle at which the first block has turned by a degree.
 std::string outcome_with_rotation(const Chapter5Run& run, const HockingResult& result) {
     const auto turned = cycle_of_rotation(run, result, degrees(1));
     return outcome_in_words(result) + (turned ? ", 1 deg at " + std::to_string(*turned) : "");
@@ -51,7 +51,7 @@ std::string settled_or_turned(const Chapter5Run& run, const HockingResult& resul
     return result.outcome == HockingOutcome::stands ? settled_in_words(result) : outcome_with_rotation(run, result);
 }
 
-// Every run's outcome beside the printed one, also for result.json; where they differ, of shifted starts too.
+// Adds every run's outcome beside the printed one, also to result.json; where they differ, those of shifted starts too.
 void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result) {
     constexpr int starts = 20;
     for (const Chapter5Run& run : runs) {
@@ -82,7 +82,7 @@ void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs,
     }
 }
 
-// How many outcomes are as printed where gravity turned instead of the base: no statement of the thesis's.
+// Counts the outcomes as printed if gravity turns instead of the base, of which the thesis says nothing.
 void add_outcomes_with_gravity(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result) {
     const auto agree = std::ranges::count_if(
         runs, [](const Chapter5Run& run) { return compute(run, Engine::recreated).outcome == run.printed; });
@@ -122,8 +122,8 @@ void add_behaviour(const std::string& what, const std::string& printed, const Ch
     result.json["clean_behaves_as_printed"][run.name] = behaves_as_printed(run, clean);
 }
 
-// A row for each run: what is printed of it, and what each engine says to it: cycles, or outcomes, with what columns
-// do.
+// Makes a row for each run: what is printed, and what each engine gives: cycles, or outcomes with the behaviour of the
+// columns.
 Table table_of_group(const std::string& caption, const std::string& heading, const std::vector<Chapter5Run>& runs) {
     const bool settled = std::ranges::any_of(runs, [](const auto& run) { return run.printed_settled.has_value(); });
     Table table{caption, {{heading}, "printed"_number}};
@@ -159,7 +159,7 @@ enum class ReportPart {
     rows
 };
 
-// A row of cases/thesis/chapter_5/report.csv, whose comments say what stands where.
+// A row of cases/thesis/chapter_5/report.csv, whose comments explain the columns.
 struct ReportRow {
     std::string item;
     ReportPart part;
@@ -203,7 +203,7 @@ std::vector<Chapter5Run> runs_of(const ReportRow& row) {
     return runs;
 }
 
-// The drawings of an item, in their order.
+// Returns the drawings of an item, in their order.
 std::vector<Figure> frames_of(const std::string& item) {
     std::vector<Figure> figures;
     for (const ReportRow& row : report_rows()) {

@@ -39,11 +39,11 @@ struct CountRange {
 // Narrows the bracket of a value below which something holds and above which it does not, to an accuracy.
 std::pair<double, double> bisect(double low, double high, double accuracy, const std::function<bool(double)>& holds);
 
-// CX over the cycles, by the clean engine too where the block does not fail there, with the printed cycles until rest.
+// Draws CX over the cycles, also by the clean engine if its block does not fail, with the printed cycles until rest.
 Figure swings_figure(const std::string& title, const std::vector<Chapter5Run>& runs, int cycles);
 
-// The first says what columns do at the end, "1 slides, 2-5 topple and 6-8 stay"; the second, whether that is what is
-// printed.
+// The first function describes the columns at the end, "1 slides, 2-5 topple and 6-8 stay"; the second tells whether
+// that is as printed.
 std::string behaviour_in_words(const Chapter5Run& run, const HockingResult& result);
 bool behaves_as_printed(const Chapter5Run& run, const HockingResult& result);
 

@@ -16,25 +16,25 @@
 namespace delabole {
 
 struct CleanRun {
-    // `settled` where nothing moves at the end, `failed` past the run's rotation, `blown_out` where a contact force is
-    // above its limit or the engine stops by itself. A block slides at a print edit where its base has slipped in the
+    // `settled`: nothing moves at the end; `failed`: the run's rotation was exceeded; `blown_out`: a contact force
+    // exceeded its limit or the engine stopped by itself. A block slides at a print edit if its base has slipped in the
     // cycle before it.
     HockingResult history = {};
     double energy_error = 0;   // residual of the energy balance over its turnover
     double largest_speed = 0;  // m/s, of any corner of a free block, all run long
 };
 
-// The geometry as it is meant: blocks and bases touch exactly.
+// Makes the blocks as they are meant: blocks and bases touch exactly.
 std::vector<HockingBlock> exact_blocks(const Chapter5Run& run);
 
-// Initial geometry along the base, gravity tilted. `blocks` as of make_blocks; their dip is that of the run.
+// The geometry is along the base, and gravity is tilted. `blocks` are those of make_blocks, with the dip of the run.
 RelaxationScene clean_scene(const Chapter5Run& run, const std::vector<HockingBlock>& blocks);
 RelaxationSettings clean_settings(const Chapter5Run& run, RelaxationStart start);
 
 CleanRun run_clean(const Chapter5Run& run, const std::vector<HockingBlock>& blocks, RelaxationStart start);
 
-// A run is computed by the re-created program, or the clean engine with its blocks dropped onto their springs, as the
-// thesis's are, or preloaded.
+// A run is computed by the re-created program, or by the clean engine: with its blocks dropped onto their springs, as
+// in the thesis, or from a consolidated start.
 enum class Engine { recreated, dropped, preloaded };
 
 inline constexpr std::array engines{Engine::recreated, Engine::dropped, Engine::preloaded};
@@ -42,8 +42,8 @@ inline constexpr std::array engines{Engine::recreated, Engine::dropped, Engine::
 HockingResult compute(const Chapter5Run& run, Engine engine, const std::vector<HockingBlock>& blocks);
 // The re-created program begins at typed coordinates, the clean engine at exact ones.
 HockingResult compute(const Chapter5Run& run, Engine engine);
-// From so many starts, with the free blocks' typed coordinates shifted at random by a unit. Interrupted once the flag
-// of cases/program/terminal/interrupt.hpp is set.
+// Computes so many starts, with the free blocks' typed coordinates shifted at random by a unit. Throws Interrupted once
+// the flag of cases/program/terminal/interrupt.hpp is set.
 std::vector<HockingResult> compute_shifted(const Chapter5Run& run, Engine engine, double unit, int starts);
 
 }  // namespace delabole

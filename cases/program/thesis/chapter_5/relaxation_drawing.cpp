@@ -44,7 +44,7 @@ DrawnMode behaviour(const Chapter5Run& run, const HockingResult& result, const H
     if (std::abs(rotation_in(run, print, column)) > turned) {
         return DrawnMode::topples;
     }
-    // Where the block would be had it only turned with its base, about the origin.
+    // This is where the block would be had it only turned with its base, about the origin.
     const double turn = print.blocks[column].angle - rotation_in(run, print, column);
     const Point carried = Eigen::Rotation2Dd(turn) * result.prints.front().blocks[column].centroid;
     return (print.blocks[column].centroid - carried).norm() > moved * run.columns.width ? DrawnMode::slides
@@ -54,7 +54,7 @@ DrawnMode behaviour(const Chapter5Run& run, const HockingResult& result, const H
 JointOpening widest_opening(const Chapter5Run& run, const HockingPrint& print) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     JointOpening widest{0, -std::numeric_limits<double>::infinity()};
-    // Takes the distance of a point from a side, which it faces only between the side's ends.
+    // Includes the distance of a point from a side if the point is opposite the side and not beyond its ends.
     const auto include = [&](std::size_t column, const Point& from, const Point& to, const Point& point,
                              const Point& outward) {
         const Point side = to - from;

@@ -15,7 +15,7 @@ namespace delabole {
 // moved by more than a fiftieth of its width, else stays.
 DrawnMode behaviour(const Chapter5Run& run, const HockingResult& result, const HockingPrint& print, std::size_t column);
 
-// How far the facing sides of two neighbouring columns are apart, where that is most.
+// The greatest distance between the facing sides of two neighbouring columns.
 struct JointOpening {
     std::size_t column = 0;  // the downhill one of the two
     double width = 0;        // m; negative: they overlap
@@ -24,10 +24,10 @@ struct JointOpening {
 // The widest joint between two of at least two columns.
 JointOpening widest_opening(const Chapter5Run& run, const HockingPrint& print);
 
-// The last print not after a cycle.
+// Returns the last print that is not after a cycle.
 const HockingPrint& print_at(const HockingResult& result, int cycle);
 
-// Blocks as they stand at these cycles, from left to right.
+// Draws the blocks at these cycles, from left to right.
 Figure frames_figure(const std::string& title, const Chapter5Run& run, const HockingResult& result,
                      const std::vector<int>& cycles);
 
@@ -38,7 +38,7 @@ struct HistoryOf {
     std::string legend = {};
     const HockingResult* result = nullptr;
     std::function<double(const HockingPrint&)> value = {};
-    // A history of the clean engine: dashed, in the colour of the history before it.
+    // Histories of the clean engine are dashed, in the colour of the history before them.
     bool clean = false;
 };
 

@@ -19,7 +19,7 @@ std::vector<std::string_view> behaviour_at_end(const Chapter5Run& run, const Hoc
     return does;
 }
 
-// Less is the give of the springs.
+// A smaller opening is the deformation of the springs.
 constexpr double open_joint = 1e-3;  // of a column's width
 
 std::string opening_in_words(const Chapter5Run& run, const HockingPrint& print) {
@@ -31,7 +31,7 @@ std::string opening_in_words(const Chapter5Run& run, const HockingPrint& print) 
            human_number(widest.width / inch, 2) + " in";
 }
 
-// First print with an open joint; the last one where none opens.
+// Returns the first print with an open joint, or the last print if none opens.
 const HockingPrint& first_opening(const Chapter5Run& run, const HockingResult& result) {
     const auto found = std::ranges::find_if(result.prints, [&](const HockingPrint& print) {
         return widest_opening(run, print).width >= open_joint * run.columns.width;
@@ -49,7 +49,7 @@ bool behaves_as_printed(const Chapter5Run& run, const HockingResult& result) {
     return std::ranges::equal(run.printed_behaviour, behaviour_at_end(run, result));
 }
 
-// Fig 5.16's columns as on the tilting frame.
+// Puts the columns of Fig 5.16 on the tilting frame.
 void crack_of_the_tilting_frame(Chapter5Item& item) {
     Chapter5Run gentle = item.runs.front();
     gentle.columns.dip = degrees(16);

@@ -37,7 +37,7 @@ Chapter5Run varied(Chapter5Run run, const Variant& variant) {
     return run;
 }
 
-// Cycles of the blow-outs of some runs.
+// Counts the cycles at which some runs blow out.
 CountRange blow_outs(const std::vector<HockingResult>& results) {
     CountRange found;
     for (const HockingResult& result : results) {
@@ -72,7 +72,7 @@ int over_inclinations(const Chapter5Run& run, double slenderness, double coordin
     return blow_outs(results).count;
 }
 
-// Rows on the slot that serves block 1's uphill foot against block 2; `before` is printed in the cycle before.
+// Describes the slot that serves block 1's uphill foot against block 2; `before` is the print one cycle earlier.
 std::vector<std::vector<std::string>> mechanism(const Chapter5Run& run, const HockingFaceChange& change,
                                                 const HockingPrint& before) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);

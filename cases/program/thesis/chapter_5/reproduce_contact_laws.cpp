@@ -1,4 +1,4 @@
-// Fig 5.4 of the thesis: the laws of contact, by a corner that is pressed into an edge and pulled along it.
+// Fig 5.4 of the thesis: the laws of contact, shown by a corner that is pressed into an edge and pulled along it.
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "plots/drawing/text.hpp"
@@ -29,7 +29,7 @@ struct ContactPair {
     double shear = 0;   // N/m, that resists the corner's displacement
 };
 
-// A corner at these places, one after the other: x along the edge, y above it.
+// Returns the forces on a corner at these places in order: x along the edge, y above it.
 std::vector<ContactPair> forces_at(const ContactLaw& law, const Polyline& places) {
     RelaxationContact contact{};
     contact.along_x = -1;  // so that the edge's outward normal points up
@@ -47,7 +47,7 @@ std::vector<ContactPair> forces_at(const ContactLaw& law, const Polyline& places
     return forces;
 }
 
-// Straight from place to place in so many steps.
+// Moves straight to the end in so many steps.
 void move_to(Polyline& places, const Point& end, int steps) {
     const Point start = places.back();
     for (int step = 1; step <= steps; ++step) {
@@ -61,7 +61,7 @@ Figure law_figure(const std::string& title, const std::string& x, const std::str
     return figure;
 }
 
-// Pulled along to and fro under a constant pressure.
+// The corner is pulled to and fro along the edge under a constant pressure.
 Polyline shear_curve(const ContactLaw& law) {
     Polyline places{Point(0, -pressed)};
     move_to(places, Point(2e-6, -pressed), 200);

@@ -24,8 +24,8 @@ double opening(const std::vector<HockingBlock>& blocks, const HockingPrint& prin
     return (upper[0] - lower[1]).dot(Point(side.y(), -side.x())) / inch;
 }
 
-// The thesis's way to close the crack: consolidate, hold the lower block, let the upper one slide down to it on a base
-// without friction, consolidate, tilt. From which inclination is not printed: as in Fig 5.10.
+// The thesis closes the crack in stages: consolidate, hold the lower block, let the upper one slide down to it on a
+// base without friction, consolidate, tilt. The first inclination is not printed: that of Fig 5.10 is taken.
 struct ClosedGap {
     double opening_before = 0;  // in
     double opening_after = 0;   // in
@@ -36,7 +36,7 @@ struct ClosedGap {
 ClosedGap close_gap() {
     ClosedGap closed;
     closed.run = chapter_5_runs("double_tilting", TiltedPart::base).front();
-    // Starts with the crack: a gap of a hundredth of a millimetre.
+    // The run starts with the crack: a gap of a hundredth of a millimetre.
     Chapter5Run stage = closed.run;
     stage.columns.gap = 1e-5;
     stage.settings.tilting.reset();
@@ -105,7 +105,7 @@ void backward_sliding(Chapter5Item& item) {
     Reproduction& result = item.result;
     constexpr int drawn_cycle = 4500;
     constexpr int plot_interval = 500;  // not printed
-    // For each engine the last share of atan(b/a), and whether it has fallen from run to run.
+    // For each engine: the last share of atan(b/a), and whether it has decreased from run to run.
     std::array<double, 2> last = {INFINITY, INFINITY};
     std::array<bool, 2> earlier = {true, true};
     constexpr std::array keys{"rotation_over_slenderness_angle", "clean_rotation_over_slenderness_angle"};
@@ -148,7 +148,7 @@ std::optional<int> cycle_of(double reached, const HockingResult& result) {
     return first_cycle(result, [&](const HockingPrint& print) { return displacement(result, print) >= reached; });
 }
 
-// The displacement of the first of the runs at its printed cycle.
+// Returns the displacement of the first run at its printed cycle.
 double reference_of(const std::vector<Chapter5Run>& runs) {
     const HockingResult first = compute(runs.front(), Engine::recreated);
     return displacement(first, print_at(first, runs.front().printed_cycle.value_or(0)));

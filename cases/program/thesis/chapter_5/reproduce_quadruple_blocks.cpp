@@ -31,7 +31,7 @@ std::string share_in_words(double share) {
 
 constexpr double last_bit = 1e-15;  // m
 
-// Says what each block does at each printed edit, and in how many of the starts it does so.
+// Tabulates what each block does at each printed edit, and in how many of the starts it does so.
 Table history_table(const Chapter5Run& run, const SlidingHistory& printed, const std::vector<SlidingHistory>& starts) {
     Table table{run.name + ": printed, and of " + std::to_string(starts.size()) + " starts those that slide F / B",
                 {"cycle"_number}};
@@ -141,7 +141,7 @@ void add_history(const Chapter5Run& run, const HockingResult& reference, const s
 
 }  // namespace
 
-// How many of some numbers or senses are the printed ones.
+// Counts the numbers and senses that are as printed.
 struct AsPrinted {
     int totals = 0;                // printed
     int within = 0;                // of them, within the range of the starts

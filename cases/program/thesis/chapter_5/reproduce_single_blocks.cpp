@@ -16,7 +16,7 @@ double x_of(const HockingPrint& print) {
     return print.blocks.front().centroid.x();
 }
 
-// Every twenty cycles, for figures.
+// Prints every twenty cycles, for figures.
 HockingResult fine_history(Chapter5Run run, int cycles, Engine engine) {
     run.settings.print_interval = 20;
     run.settings.cycles = cycles;
@@ -35,7 +35,7 @@ double depth(const HockingResult& history) {
     return x_of(history.prints.front()) - x_of(*std::ranges::min_element(history.prints, {}, x_of));
 }
 
-// The first landing: CX has a maximum there.
+// The first landing is at the first maximum of CX.
 int landing(const HockingResult& history) {
     const auto& prints = history.prints;
     for (std::size_t print = 1; print + 1 < prints.size(); ++print) {
@@ -86,7 +86,7 @@ void first_swings(Chapter5Item& item) {
     const HockingResult b = history_at(degrees(18.15), 6000);
     const double period = static_cast<double>(landing(b)) / landing(a);
     const double ratio = depth(b) / depth(a);
-    // How much farther the first swing can go than that at 0.05 deg less: at the greatest inclination at which the
+    // The first swing is compared with that at 0.05 deg less; it is farthest at the greatest inclination at which the
     // block still stands.
     const double greatest = bisect(degrees(18.15), degrees(18.3), degrees(1e-6), [](double inclination) {
                                 return history_at(inclination, 20000).outcome == HockingOutcome::stands;

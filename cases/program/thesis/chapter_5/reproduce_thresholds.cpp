@@ -60,14 +60,14 @@ void add_in_words(const Thresholds& found, std::vector<std::string>& row) {
     }
 }
 
-// One block, preloaded: the heel's spring is spent, the toe's carries all. Deg.
+// Tilt, deg, at which a single consolidated block fails: the heel's spring is spent, and the toe's carries all.
 double law(double stiffness) {
     const HockingSettings settings = chapter_5_runs("fixed_inclination").front().settings;
     const double weight = settings.density * settings.gravity * slenderness * inch * inch;
     return std::atan(1 / slenderness - weight / (stiffness * inch) * std::hypot(1, 1 / slenderness)) / degrees(1);
 }
 
-// Least of forward and backward mode, (8) and (10), deg.
+// The smaller tilt, deg, of the forward and the backward mode, (8) and (10).
 double two_blocks_in_theory() {
     const double mu = std::tan(degrees(20));
     return std::atan(std::min(closed_form::equal_blocks(1, 0, slenderness, 1.0, mu, mu),
@@ -170,7 +170,7 @@ double limit(const std::function<bool(double)>& moves) {
     return std::midpoint(low, high) / degrees(1);
 }
 
-// Columns of the stepped base a metre wide, as rock, preloaded.
+// Onset of the stepped base with columns a metre wide, as rock, from a consolidated start.
 double onset_at(double stiffness_ratio) {
     constexpr double density = 2700;
     StandingBlocks columns{};
@@ -188,7 +188,7 @@ double onset_at(double stiffness_ratio) {
     });
 }
 
-// The thesis's inch blocks: onset is past 0.01 rad, collapse past the rotation that counts as failure.
+// For the thesis's inch blocks onset is at 0.01 rad, collapse at the rotation that counts as failure.
 double limit_of_inches(Chapter5Run run, RelaxationStart start, double rotation) {
     return limit([&](double friction) {
         run.settings.joints = run.settings.bases = {friction, friction};
@@ -198,7 +198,7 @@ double limit_of_inches(Chapter5Run run, RelaxationStart start, double rotation) 
 
 }  // namespace
 
-// 5.3.4.2 well resolved: at which friction the stepped base begins to move, apart from where it collapses.
+// 5.3.4.2 finely resolved: at which friction the stepped base begins to move, apart from where it collapses.
 void onset_of_the_stepped_base(Chapter5Item& item) {
     constexpr double theory = 41.14;  // deg, Appendix A
     Reproduction& result = item.result;

@@ -1,4 +1,4 @@
-// 5.3.1 B and 5.3.2 B of the thesis once more: which of the inputs that it does not print gives its outcomes.
+// 5.3.1 B and 5.3.2 B of the thesis again: which values of inputs that it does not print give its outcomes.
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
 #include "parameters/fields.hpp"
@@ -9,7 +9,7 @@ namespace delabole {
 
 namespace {
 
-// One input changed, the others as in the runs.
+// One input is changed, and the others are those of the runs.
 struct Ingredient {
     std::string name;
     std::function<void(Chapter5Run&, double)> change;
@@ -62,7 +62,7 @@ const std::vector<Ingredient>& ingredients() {
 
 }  // namespace
 
-// The runs of one block, then those of two.
+// The item's runs are those of one block, followed by those of two.
 void one_input_changed(Chapter5Item& item) {
     constexpr std::size_t one = 5;  // runs
     const TiltedPart part = item.runs.front().settings.tilting->part;

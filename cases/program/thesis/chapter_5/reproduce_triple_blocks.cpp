@@ -14,7 +14,7 @@ constexpr BaseSliding forward = BaseSliding::forward;
 constexpr BaseSliding backward = BaseSliding::backward;
 constexpr int never = std::numeric_limits<int>::max();
 
-// The cycle at which a block first slides that way.
+// Returns the cycle at which a block first slides in that sense.
 int first(const HockingResult& result, int block, BaseSliding sense) {
     return first_sliding(result, static_cast<std::size_t>(block) - 1, sense).value_or(never);
 }
@@ -23,7 +23,7 @@ std::string cycle_in_words(const HockingResult& result, int block, BaseSliding s
     return in_words(first_sliding(result, static_cast<std::size_t>(block) - 1, sense));
 }
 
-// Within a print edit to either side.
+// The cycles agree within a print edit to either side.
 bool about(int cycle, int printed) {
     return cycle >= printed - 100 && cycle <= printed + 100;
 }

@@ -1,5 +1,5 @@
-// The sense in which blocks slide on their base is told at print edits: as totals over a run and as histories by cycle,
-// which one run has beside those of many starts.
+// The sense in which blocks slide on their base, recorded at print edits: as totals over a run and as histories by
+// cycle, of one run and of many starts.
 #pragma once
 
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
@@ -22,10 +22,10 @@ std::string in_words(const TotalsRange& range);
 
 std::vector<SlidingTotals> totals_of(const Chapter5Run& run, const HockingResult& result);
 
-// The ranges are by column; runs that blow out are left out.
+// Returns the ranges by column; runs that blow out are left out.
 std::vector<TotalsRange> spread_of_totals(const Chapter5Run& run, const std::vector<HockingResult>& starts);
 
-// Whether forward or backward sliding prevails: what the thesis's senses come down to.
+// Tells whether forward or backward sliding prevails, which is how the thesis states the senses.
 bool forward_prevails(const SlidingTotals& totals);
 
 // A history says what each block does, by cycle, at the print edits of a table. `both` says nothing: the thesis's "?".

@@ -108,9 +108,9 @@ HockingSettings settings_of(double stiffness, double joint_friction, double base
     settings.print_interval = 100;
     settings.failure_rotation = degrees(5);
     settings.stop_rotation = degrees(5);
-    // A hundredth of what the thesis's six printed digits can show over the thousands of cycles of a run.
+    // This speed is a hundredth of what six printed digits can show over the thousands of cycles of a run.
     settings.settled_speed = 1e-6;
-    // Landing of a fallen column gives some tens of its weight, a change of face some ten thousand times the weight.
+    // A fallen column lands with some tens of its weight; a change of face gives some ten thousand times the weight.
     settings.blow_out_force = 1e3;
     return settings;
 }
@@ -194,7 +194,7 @@ std::optional<int> whole(const std::optional<double>& number) {
     return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
-// The columns of Appendix A, of which a metre is an inch here.
+// Makes the columns of Appendix A, with an inch in place of a metre.
 HockingColumns stepped_columns(double inclination) {
     const BlockColumns<> columns = appendix_a_columns();
     HockingColumns made;
@@ -244,7 +244,7 @@ Chapter5Run run_of(const PrintedRun& row, TiltedPart tilted) {
     }
     if (row.tilted_to_degrees) {
         made.columns.base_height = tilted == TiltedPart::base ? 1.1 * inch : made.columns.base_height;
-        // 0.1 deg in 1000 cycles for every 10, in 2000 for every 20.
+        // The tilt is 0.1 deg in 1000 cycles if it grows every 10 cycles, in 2000 if every 20.
         settings.tilting = HockingTilting{tilted, whole(row.tilt_begins).value_or(0), whole(row.tilt_every).value_or(1),
                                           degrees(1e-3), degrees(*row.tilted_to_degrees - row.inclination_degrees)};
     }

@@ -38,8 +38,8 @@ struct HockingColumns {
     double coordinate_unit = 0;  // m, to which coordinates of centroids are rounded, as where they are typed; 0: exact
 };
 
-// Columns first, from the toe uphill, then the fixed blocks in the same order. The origin is the toe of the first
-// column; but for rounding and gap they touch exactly.
+// Columns come first, from the toe uphill, then the fixed blocks in the same order. The origin is the toe of the first
+// column; blocks touch exactly, except for rounding and the gap.
 std::vector<HockingBlock> make_blocks(const HockingColumns& columns);
 
 constexpr double plaster_density = 1400;  // kg/m3; Ashby's mix of three parts of plaster to two of water
@@ -71,24 +71,24 @@ struct Chapter5Run {
     int first_print = 100;                            // from which sliding is counted
 };
 
-// The runs of a group of cases/thesis/chapter_5/runs.csv, whose comments say what each group is. Where they are tilted,
+// Returns the runs of a group of cases/thesis/chapter_5/runs.csv, whose comments explain the groups. In tilted runs
 // `tilted` turns.
 std::vector<Chapter5Run> chapter_5_runs(std::string_view group, TiltedPart tilted = TiltedPart::gravity);
 
-// The free blocks' coordinates changed by -1, 0 or +1 units each, at random by `seed`.
+// Shifts each coordinate of the free blocks at random, by `seed`, by -1, 0 or +1 units.
 std::vector<HockingBlock> perturbed(std::vector<HockingBlock> blocks, double unit, unsigned seed);
 
-// The first print at which something holds; none where it never does.
+// Returns the first print at which something holds; nothing if it never does.
 std::optional<int> first_cycle(const HockingResult& result, const std::function<bool(const HockingPrint&)>& holds);
 
-// The last print edits at which x and y of the first block are not yet within 1e-8 m of where they end. The thesis does
-// not define its counts; that tolerance, a digit of the printed centroids, gives them.
+// Returns the last print edits at which x and y of the first block are not yet within 1e-8 m of their final values. The
+// thesis does not define its counts; that tolerance, a digit of the printed centroids, reproduces them.
 SettledCycles settled_cycles(const HockingResult& result);
 
 // Rotation relative to the base, rad.
 double rotation_in(const Chapter5Run& run, const HockingPrint& print, std::size_t block);
 
-// First print at which the first block has turned that far relative to its base.
+// Returns the first print at which the first block has turned that far relative to its base.
 std::optional<int> cycle_of_rotation(const Chapter5Run& run, const HockingResult& result, double rotation);
 // First print at which a column slides that way.
 std::optional<int> first_sliding(const HockingResult& result, std::size_t column, BaseSliding sense);

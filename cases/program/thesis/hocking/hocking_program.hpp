@@ -34,8 +34,8 @@ namespace delabole {
 
 constexpr int no_block = -1;
 
-// Who may touch whom: indices into the blocks of the run, `no_block` where there is nobody. Fed as data, as in the
-// listing, and never updated. "Below" is where the block stands, "downhill" towards -x.
+// The blocks that may touch a block: indices into those of the run, `no_block` if there is none. They are given as
+// data, as in the listing, and never updated. "Below" is the block it stands on, "downhill" is towards -x.
 struct HockingNeighbours {
     int below = no_block;
     int below_uphill = no_block;
@@ -89,12 +89,12 @@ struct HockingSettings {
     std::optional<HockingTilting> tilting = {};
     HockingSlotMemory slot_memory = HockingSlotMemory::per_neighbour;
     double crossing_guard = 1e-5;  // m, >= 0; the listing's 1.E-5
-    // Bits of the significands of what is stored from cycle to cycle; further ones are cut, not rounded. The listing's
-    // words of ten characters held 48, those of single precision elsewhere 24.
+    // Bits of the significands that are stored from cycle to cycle; further ones are cut off, not rounded. The
+    // listing's words of ten characters held 48, words of single precision on other machines 24.
     int significand_bits = 53;
     int cycles = 0;            // to run (NCYLE)
     int print_interval = 100;  // cycles, >= 1 (IPRINT): histories, sliding, decision
-    // Limits by which a run is judged; the listing judges nothing.
+    // Limits by which a run is judged; the listing has none.
     double failure_rotation = 0;    // rad; a free block turned by this, relative to its base, has failed
     double stop_rotation = 0;       // rad; and this ends the run
     double settled_speed = 0;       // m/s; settled where no corner of a free block is faster at the end
@@ -126,7 +126,7 @@ struct HockingPrint {
 // Faces of a block as the listing searches them, in the block's own frame.
 enum class HockingFace { positive_side, negative_side, positive_end, negative_end };
 
-// A slot that is used for another face than in the cycle before. Sides are the two longer faces of a block.
+// A slot that served another face in the cycle before. Sides are the two longer faces of a block.
 struct HockingFaceChange {
     int cycle = 0;
     int block = no_block;  // whose corner it is
@@ -150,8 +150,8 @@ struct HockingResult {
 
 HockingResult run_hocking(const std::vector<HockingBlock>& blocks, const HockingSettings& settings);
 
-// The blocks where a print shows them, at rest: to go on with other fixed blocks or another friction. Slots start
-// empty.
+// Returns the blocks at rest where a print shows them, to go on with other fixed blocks or another friction. Slots
+// start empty.
 std::vector<HockingBlock> blocks_at(const std::vector<HockingBlock>& blocks, const HockingPrint& print);
 
 // Corners in the listing's order for a column, of a block turned by `angle` since the start.
