@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The pace of the page of `delabole live` in headless Chromium: milliseconds from a drag to the picture that answers it, the
-# middle and the slowest of fifty, of a case of each model that has handles; pictures a second of blocks in motion.
+# Measures the pace of the page of `delabole live` in headless Chromium: the median and the slowest of fifty times, ms,
+# from a drag to the picture that answers it, for a case of each model with handles; pictures a second of blocks in motion.
 export DELABOLE_SOURCE=${DELABOLE_SOURCE:-$(realpath "$(dirname "${BASH_SOURCE[0]}")/../..")}
 export DELABOLE_BUILD=${DELABOLE_BUILD:-$DELABOLE_SOURCE/build/release}
 source "$DELABOLE_SOURCE/tests/program/harness.sh"
@@ -40,7 +40,7 @@ for case in plane_failure/fig_2_8.toml starting/stepped_base.toml starting/kinem
     close_case
 done
 
-# A thousand bricks on a plane, all of which slide.
+# All of a thousand bricks slide on a plane.
 brick() {
     printf '[[scene.block]]\ndensity = "2700 kg/m3"\n%s\nvertex = [' "${5:-}"
     printf '{ x = "%s m", y = "%s m" }, ' "$1" "$2" "$3" "$2" "$3" "$4" "$1" "$4"

@@ -19,7 +19,7 @@ open_page() {
         --user-data-dir="$work/profile" --dump-dom "$@" 2>/dev/null
 }
 
-# A clock that goes as the test wants it, before the page's own script asks for pictures.
+# The test sets this clock itself; it replaces the browser's before the page's own script requests pictures.
 cat >"$work/clock.js" <<'SCRIPT'
 let now = 1000, pending = null;
 window.requestAnimationFrame = picture => { pending = picture; return 1; };
@@ -32,7 +32,7 @@ const tick = () => {
 };
 SCRIPT
 
-# The reader's hands; what is wrong is left in the page.
+# This script does what a reader does, and writes what is wrong into the page.
 cat >"$work/hands.js" <<'SCRIPT'
 const wrong = [];
 const box = document.querySelector('.animation'), moment = box.querySelector('.moment');
@@ -129,7 +129,7 @@ expect_no_problems() { # calm, option ...
 expect_no_problems false
 expect_no_problems true --force-prefers-reduced-motion
 
-# As a browser without scripts shows it: the last frame, its moment, no buttons that do nothing.
+# A browser without scripts shows the last frame and its moment, but no buttons without effect.
 sed 's/<script>/<script type="text\/plain">/' "$report" >"$work/plain.html"
 plain=$(open_page "file://$work/plain.html")
 for expected in 'frame 60 of 60' 'class="controls" hidden' 'Outcome: collapse' 'class="scene"'; do

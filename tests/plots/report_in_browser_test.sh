@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: report_in_browser_test.sh
-# report_in_browser has to refuse what it is there to refuse.
+# Tests that report_in_browser refuses what it must refuse.
 set -euo pipefail
 here=$(dirname "$(realpath "$0")")
 work=$(mktemp -d)

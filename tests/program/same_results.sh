@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Whether two programs give every case the same results, to the bit: for changes that are to keep them.
+# Tests whether two programs give every case the same results, to the bit: for changes that must keep them.
 # Usage: same_results.sh OLD NEW [CASE...], from the root of the sources; the cases are all below cases/ but those of the
-# thesis, which take an hour. Says which results differ; the exit code is 1 where any does.
+# thesis, which take an hour. Names the results that differ; the exit code is 1 if there are any.
 set -uo pipefail
 old=$1 new=$2
 shift 2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: installed_test.sh PYTHON FOLDER
-# The module as its user gets it: installed below a prefix, into this folder of it, and imported from there alone.
+# Tests the module as its user gets it: installed in this folder below a prefix, and imported from there alone.
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# One statement says under which licence every file is: .reuse/dep5. No file states another one, and the README agrees.
+# Only .reuse/dep5 states the licence of the files. No file states another one, and the README agrees.
 set -euo pipefail
 cd "$DELABOLE_SOURCE"
 failed=0

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The library as its user gets it: installed, found by find_package, and the READMEs' own examples built on it and run.
+# Tests the library as its user gets it: it is installed and found by find_package, and examples of READMEs run with it.
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 cmake --install "$DELABOLE_BUILD" --component library --prefix "$work/prefix" >"$work/install.log"
 
-# Only the library: the rooms above it are the program's business.
+# Only the library is installed: the rooms above it belong to the program.
 if find "$work/prefix" -path '*/fitting/*' -o -path '*/plots/*' -o -path '*/cases/*' | grep .; then
     echo "installed, but not part of the library"
     exit 1
@@ -21,7 +21,7 @@ fenced() { # language [README]: the blocks of that language
 fenced cmake >CMakeLists.txt
 fenced cpp >slope.cpp
 
-# The examples of lib/README.md, one scope each, and what their comments say that they print.
+# The examples of lib/README.md get one scope each; their comments state what they print.
 {
     fenced cpp lib/README.md | grep '^#include'
     printf '#include <iostream>\nusing namespace delabole;\nint main() {\n'
@@ -32,7 +32,7 @@ fenced cpp >slope.cpp
 fenced cpp lib/README.md | sed -n 's|^std::cout .*// \([0-9.]*\).*|\1|p' >printed
 test "$(wc -l <printed)" -ge 9
 
-# Beside it a source that includes every header installed, so that one left behind is missed here and not by a user.
+# Another source includes every installed header, so that one left behind is missed here and not by a user.
 {
     find "$work/prefix/include/delabole" -name '*.hpp' -printf '#include <%P>\n' | sort
     echo '#include <iostream>'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The program as its user gets it: installed below a prefix and as a Debian package unpacked in an empty root, with its
-# completion for bash and its manual page, and with all libraries that it needs among the packages it depends on.
+# Tests the program as its user gets it: installed below a prefix, and as a Debian package unpacked in an empty root, with
+# its completion for bash and its manual page, and with all libraries that it needs among the packages it depends on.
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -25,7 +25,7 @@ dpkg-deb -x "$package" root
 for place in prefix root/usr; do
     echo "- $place"
     program=$work/$place/bin/delabole
-    # In an empty environment, so that nothing of the build folder helps.
+    # The environment is empty, so that nothing of the build folder helps.
     expect "it says its version" env -i "$program" --version
     expect "it writes a case" env -i "$program" init wedge --out "$place.toml"
     expect "it analyses it" env -i "$program" run "$place.toml" --no-report --out "$work/result" >/dev/null

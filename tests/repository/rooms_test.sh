@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The house keeps its rules, and the check that says so sees each way of breaking them.
+# The sources keep the rules of rooms.sh, and its check finds each way of breaking them.
 set -euo pipefail
 rooms=$DELABOLE_SOURCE/tests/repository/rooms.sh
 bash "$rooms" "$DELABOLE_SOURCE"
@@ -7,7 +7,7 @@ bash "$rooms" "$DELABOLE_SOURCE"
 house=$(mktemp -d)
 trap 'rm -rf "$house"' EXIT
 
-# A house of two headers that keeps the rules, then one line more.
+# A tree of two headers keeps the rules until a line is added.
 build_house() {
     rm -rf "${house:?}"/*
     mkdir -p "$house"/{lib/water,fitting/work,fitting/search,plots,cases/program/commands,cases/python,tests}
@@ -54,7 +54,7 @@ expect_broken cases/program/commands/main.cpp '#include SOME_MACRO'
 expect_broken tests/some_test.cpp '#include <armadillo.h>'
 expect_broken fitting/work/fit.hpp '#include "fitting/search/search.hpp"'
 
-# What is not a line in a file that stands there: sources outside the sub-rooms, and more of them than a folder may hold.
+# Two rules concern no line of a file: sources outside the sub-rooms, and more sources than a folder may hold.
 expect_house_broken() { # what
     if bash "$rooms" "$house" >/dev/null; then
         echo "not noticed: $1"

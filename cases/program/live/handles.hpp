@@ -19,10 +19,10 @@ struct Handle {
     std::optional<Point> from{};  // the other end of a line that has the dip which the handle turns
 };
 
-// Toe (the origin of the section: where it has no elevation, a drag leaves the crest in its place), crest, bench,
+// Returns toe (the origin of the section: if it has no elevation, a drag leaves the crest in its place), crest, bench,
 // failure plane, tension crack and water level of a slope, as far as the model has them; the tops of blocks and columns
 // that are given one by one; the base and joints of columns, the joint sets of a section; rows and ends of bolts; and
-// every point that is given by two lengths x and y: corners of outlines, of water tables and of lines. On a stereonet
+// every point given by two lengths x and y: corners of outlines, of water tables and of lines. On a stereonet these are
 // the poles of face and joint sets, and the friction circle. Empty for an impossible slope.
 std::vector<Handle> handles_of(const CaseModel& model);
 

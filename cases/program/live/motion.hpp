@@ -19,17 +19,17 @@ class LiveMotion {
     // Outlines and centroids in the section, which blocks are fixed, and the tilt of gravity.
     Json blocks() const;
 
-    // Goes on until the blocks cannot be followed further, `most_steps` are made, or the time is up. Where a run of the
-    // study would end, its verdict is noted, and the blocks move on.
+    // Continues until the blocks cannot be followed further, `most_steps` are made, or the time is up. When a run of
+    // the study would end, its verdict is recorded, and the blocks move on.
     void go_on(std::uint64_t most_steps, std::chrono::milliseconds time);
 
     // {verdict, sentences, over}: how the run of the study ended, in the words of its report, and whether the blocks
-    // cannot be followed further. An empty object where it has not ended yet.
+    // cannot be followed further. An empty object if it has not ended yet.
     Json verdict() const;
 
-    // Strength and loads are those of another study of the same blocks from now on; contacts keep what they have
-    // endured, and unless they have collapsed the verdict is found anew, within as much time as the study has. False,
-    // and nothing changes, where the blocks are not the same.
+    // From now on strength and loads are those of another study of the same blocks. Contacts keep their memory, and
+    // unless the blocks have collapsed a new verdict is found, within the duration of the study. Returns false, and
+    // changes nothing, if the blocks are not the same.
     bool change(const RelaxationStudy& study);
 
     // Returns the positions of all blocks and the forces, as little-endian 32-bit floats: time in s, steps, the number

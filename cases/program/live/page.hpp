@@ -1,5 +1,5 @@
-// The page, as it stood in page/ when the program was built: one file that needs no other. Its style and script run
-// where "@nonce@" is replaced by the nonce of the server's content security policy.
+// The page, as page/ was when the program was built: one file that needs no other. Its style and script run if
+// "@nonce@" is replaced by the nonce of the server's content security policy.
 #pragma once
 
 #include <string_view>

@@ -1,11 +1,11 @@
-// The local server of `delabole live`. It is heard on 127.0.0.1 alone and answers only who knows its token.
+// The local server of `delabole live`. It listens on 127.0.0.1 only and answers only clients that know its token.
 //
-// What it refuses, each with a status of its own: a Host that is not this address (403: another name that leads here,
-// DNS rebinding), an Origin that is not this page (403: a page from elsewhere), a request without the token (401), a
-// body of more than 256 kB (413), what is not JSON or not what a request may ask, a body or an answer in parts or
-// compressed (400), any other path (404). Of all but 400, which the page shows, a line is said on the standard error,
-// at most one a second. Who is not admitted is refused before the body is read. A connection that
-// says nothing for 1 s is closed, and at most eight are served at a time.
+// It refuses, each with a status of its own: a Host that is not this address (403: another name that leads here, DNS
+// rebinding), an Origin that is not this page (403: a page from elsewhere), a request without the token (401), a body
+// of more than 256 kB (413), what is not JSON or not a possible request, a body or an answer in parts or compressed
+// (400), any other path (404). For all but 400, which the page shows, it prints a line on standard error, at most one a
+// second. Clients that are not admitted are refused before the body is read. A connection that is silent for 1 s is
+// closed, and at most eight are served at a time.
 #pragma once
 
 #include "cases/program/live/session.hpp"

@@ -40,7 +40,7 @@ function ticksOf([low, high], most) {
 const dashes = {solid: 'none', dashed: '9 6', dotted: '2 4'};
 const titleOf = axis => axis.title + (axis.unit ? ` (${axis.unit})` : '');
 
-// The picture, as many pixels wide as it will be shown, with `toData` and `toPicture` for who drags on it.
+// Draws a figure that will be shown this many pixels wide; `toData` and `toPicture` convert positions for dragging.
 function drawFigure(figure, shown) {
   const width = Math.min(720, Math.max(300, shown)), left = figure.frame ? 64 : 8, right = 12, top = 10, bottom = figure.frame ? 48 : 8;
   let xs = extentOf(figure, 0, figure.x), ys = extentOf(figure, 1, figure.y);
@@ -136,7 +136,7 @@ function drawFigure(figure, shown) {
   return picture;
 }
 
-// Names in boxes that would lie on each other are moved down; of a picture that is shown.
+// Moves down boxed names that would overlap others; the picture must be visible.
 function spreadLabels(picture) {
   const placed = [];
   for (const label of picture.querySelectorAll('text.box')) {
@@ -150,7 +150,7 @@ function spreadLabels(picture) {
   }
 }
 
-// What colours and dashes mean, as words that follow each other below the picture.
+// Explains colours and dashes, in words that follow each other below the picture.
 function legendOf(figure) {
   const list = Object.assign(document.createElement('ul'), {className: 'legend'});
   const shown = new Set();
@@ -170,8 +170,8 @@ function legendOf(figure) {
   return list;
 }
 
-// A factor of safety over two inputs: light where it stands, dark where it fails, with the line of 1 and the valley of
-// the misfit, if there is one.
+// Draws a factor of safety over two inputs: light where the slope stands, dark where it fails, with the line of 1 and
+// the valley of the misfit, if there is one.
 function drawMap(map, titles, here, shown, misfit) {
   const figure = {title: 'factor of safety', x: titles[0], y: titles[1], equal_scales: false, frame: true, width: 640, height: 480,
     series: [], labels: [], arrows: []};
@@ -209,7 +209,7 @@ function drawMap(map, titles, here, shown, misfit) {
   return picture;
 }
 
-// Segments of the line on which the values are `level`, by marching through the cells.
+// Returns the segments of the line on which the values are `level`, by marching through the cells.
 function contourOf(map, level) {
   const segments = [];
   for (let j = 0; j + 1 < map.y.length; ++j)

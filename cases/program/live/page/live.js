@@ -17,8 +17,8 @@ async function ask(path, request) {
   return answer;
 }
 
-// One request of a kind at a time; of those that come meanwhile only the last is sent. The promise is kept when all are
-// answered.
+// Sends one request of a kind at a time, and of those that come meanwhile only the last. The promise resolves when all
+// are answered.
 function latest(work) {
   let running = null, waiting = null;
   const answerAll = async () => {
@@ -158,7 +158,7 @@ const refreshMap = latest(async () => {
   const began = performance.now(), coarse = await ask('/map', {...asked, x, y, columns: 48, rows: 36});
   const closer = closerRange(coarse, [valueOf(x.name), valueOf(y.name)]);
   if (closer) [x, y].forEach((axis, index) => Object.assign(axis, closer[index]));
-  // Finer where nothing is being dragged and the model is quick.
+  // The map is finer if nothing is being dragged and the model is quick.
   const finer = !state.ranges && performance.now() - began < 100 ? 1.5 : 1;
   const map = finer === 1 && !closer ? coarse : await ask('/map', {...asked, x, y, columns: 48 * finer, rows: 36 * finer});
   const axes = titles.map(input => ({title: `${input.group}: ${input.label}`, unit: input.unit, grid: false}));
@@ -175,7 +175,7 @@ const refreshMap = latest(async () => {
   find('chart').replaceChildren(picture);
 });
 
-// Where more than half of the map has no answer: the part around the answers and the present point.
+// If more than half of the map has no answer, returns the part around the answers and the present point.
 function closerRange(map, here) {
   const cells = map.values.flatMap((row, j) => row.map((value, i) => value === null ? null : [i, j])).filter(Boolean);
   if (!cells.length || 2 * cells.length > map.x.length * map.y.length) return null;
@@ -219,7 +219,7 @@ function addHandles(picture, answer) {
     knob.dataset.name = handle.name;
     knob.addEventListener('pointerdown', event => {
       event.preventDefault();
-      // The picture is drawn anew with each answer; until the point is let go all of them have the scales of this one.
+      // Each answer draws the picture anew; until the point is released all pictures have the scales of this one.
       const toPicture = picture.getScreenCTM().inverse();
       const start = {values: {...state.values}, ranges: picture.ranges};
       let dragging = null;
@@ -249,7 +249,7 @@ function addHandles(picture, answer) {
   }
 }
 
-// `start` is what a drag of the origin counts from: it stays under the pointer while the picture is shifted.
+// A drag of the origin is measured from `start`: the origin stays under the pointer while the picture is shifted.
 const drag = latest(async (handle, to, metre, start) => {
   const answer = await ask('/drag', {values: start ? start.values : state.values, handle, to: to.map(one => one / metre)});
   const goes = start && Object.entries(answer.values).some(([name, value]) => digits(value) !== digits(start.values[name] ?? state.inputs.get(name).value));
@@ -262,7 +262,7 @@ const drag = latest(async (handle, to, metre, start) => {
   refreshMap();
 });
 
-// Two stand beside each other where there is room.
+// Two sections are shown side by side if there is room.
 function widthOfSections() {
   const room = find('sections').clientWidth;
   return state.variants.has(find('beside').value) && room > 560 ? room / 2 - 8 : room;
@@ -284,14 +284,14 @@ function sectionOf(answer, title, withHandles) {
 
 const keyOf = values => JSON.stringify(Object.entries(values).sort());
 
-// The support that `delabole run` designs for the slope as it stands.
+// Asks for the support that `delabole run` would design for the slope as it is now.
 async function designSupport() {
   const {values, sentence} = await ask('/support', {values: state.values});
   set({...state.values, ...values});
   state.design = {of: keyOf(state.values), sentence};
 }
 
-// As the report has them; of another support than the designed one that is said instead.
+// Returns the sentences of the report; if the support is not the designed one, they say so.
 function sentencesOf(answer) {
   const sentences = [...(answer.sentences || [])];
   if (!state.open.designs_support || answer.failure) return sentences;
@@ -348,7 +348,7 @@ function addMap() {
   }
 }
 
-// Of the slope as it stands; a change of it makes them another slope's.
+// The study is of the slope at the time of the request; after a change its sentences no longer apply.
 function addStudy() {
   find('study').hidden = !state.open.studies;
   find('ask-study').addEventListener('click', attempt(async () => {

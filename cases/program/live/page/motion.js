@@ -1,4 +1,4 @@
-// Blocks in motion: asked for a few milliseconds of computing at a time, and drawn in between.
+// Blocks in motion: a few milliseconds of motion are requested at a time, and drawn in between.
 const motion = {blocks: [], centres: [], playing: false, picture: null, rate: 0};
 const energies = ['work of gravity and loads', 'kinetic', 'elastic', 'friction', 'damping', 'residual'];
 async function beginMotion() {
@@ -11,7 +11,7 @@ async function beginMotion() {
   await startMotion();
 }
 
-// `answer` holds the points that can be dragged; it is asked for where it is not known.
+// `answer` holds the points that can be dragged; without it they are requested.
 async function startMotion(answer) {
   pause();
   tell('The static start is being found.');
@@ -23,7 +23,7 @@ async function startMotion(answer) {
   tell('');
 }
 
-// Points of the section, above the blocks as long as these are where the case has them.
+// Shows the points of the section above the blocks, as long as the blocks are where the case has them.
 function addKnobs() {
   const canvas = find('blocks'), knobs = svg('svg', {id: 'knobs', viewBox: `0 0 ${canvas.width} ${canvas.height}`, role: 'group', 'aria-label': 'Points of the section'});
   knobs.ranges = true;  // the view stays while one is dragged
@@ -50,7 +50,7 @@ async function changeMotion(answer) {
   drawBlocks();
 }
 
-// A variant's blocks as they lay when it was kept.
+// A variant keeps a picture of its blocks in their positions at that time.
 const pictureOfMotion = () => ({image: find('blocks').toDataURL(), verdict: find('verdict').textContent, clock: `${motion.picture.time.toFixed(3)} s`});
 
 function showBesideMotion() {
@@ -76,7 +76,7 @@ function take(buffer) {
     if (verdict) askVerdict(verdict);
   }
   showVerdict();
-  // Below a millionth of the greatest a single float holds rounding, as it does below a millionth of a joule.
+  // Below a millionth of the greatest energy a single float holds only rounding, as below a millionth of a joule.
   const most = Math.max(1, ...balance.map(Math.abs));
   find('energy').tBodies[0].replaceChildren(...energies.map((name, index) => {
     const row = document.createElement('tr');
@@ -90,7 +90,7 @@ function take(buffer) {
   drawBlocks();
 }
 
-// How a run of the case would have ended, in the words of its report.
+// Asks how a run of the case would have ended, in the words of its report.
 const askVerdict = verdict => attempt(async () => {
   const said = await ask('/motion/verdict');
   if (motion.decided !== verdict) return;
@@ -109,7 +109,7 @@ function showVerdict() {
   showSentences([...(motion.said?.sentences || []), `Greatest unbalanced force now: ${force}.`]);
 }
 
-// With gravity downwards; as much is seen as the free blocks take, and half as much again for where they go.
+// The view has gravity downwards, and is half as large again as the free blocks, so that they have room to move.
 function viewOf(canvas) {
   if (state.ranges) return motion.view;
   const cosine = Math.cos(motion.tilt), sine = Math.sin(motion.tilt);
@@ -171,7 +171,7 @@ function drawBlocks() {
   widths.forEach((lines, width) => { pen.lineWidth = width / 2; if (width) pen.stroke(lines); });
 }
 
-// The water table of a section, where it is now.
+// Draws the present water table of a section.
 function drawWater(pen, paint, toPicture) {
   const points = [...state.inputs.keys()].filter(name => /water\.vertex\[\d+\]\.x$/.test(name)).map(name => [name, name.replace(/x$/, 'y')].map(one => valueOf(one) / state.open.metre));
   pen.strokeStyle = paint('sky');
@@ -181,7 +181,7 @@ function drawWater(pen, paint, toPicture) {
   pen.stroke();
 }
 
-// With their tension; dashed and in red where they have yielded.
+// Draws bolts with their tension; those that have yielded are dashed and red.
 function drawBolts(pen, bolts, paint, toPicture) {
   pen.font = `${16 * canvasScale()}px system-ui, sans-serif`;  // as shown
   for (let at = 0; at < bolts.length; at += 6) {
