@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Tests the program as its user gets it: installed below a prefix, and as a Debian package unpacked in an empty root, with
+# Tests the program as its user gets it: installed below a prefix and as a Debian package unpacked in an empty root, with
 # its completion for bash and its manual page, and with all libraries that it needs among the packages it depends on.
 set -euo pipefail
 work=$(mktemp -d)
