@@ -109,7 +109,7 @@ double input_value(const CaseObject& object, const std::string& name, const std:
     return read.value;
 }
 
-// The model as run() and sensitivity() take it: with the support that its case has designed.
+// The model that run() and sensitivity() use: with the support that its case has designed.
 const CaseModel& supported_model(const CaseObject& object, const py::object& progress) {
     if (!object.file.support_design) {
         return object.file.model;

@@ -11,7 +11,7 @@ namespace delabole {
 
 struct CaseObject {
     CaseFile file;
-    // With the support that [support_design] finds, once that has been asked for; see supported_model.
+    // The model with the support that [support_design] finds, once it has been requested; see supported_model.
     mutable std::optional<CaseModel> supported{};
 };
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures the pace of the page of `delabole live` in headless Chromium: the median and the slowest of fifty times, ms,
-# from a drag to the picture that answers it, for a case of each model with handles; frames a second of blocks in motion.
+# from a drag to its picture, for a case of each model with handles; frames a second of blocks in motion.
 export DELABOLE_SOURCE=${DELABOLE_SOURCE:-$(realpath "$(dirname "${BASH_SOURCE[0]}")/../..")}
 export DELABOLE_BUILD=${DELABOLE_BUILD:-$DELABOLE_SOURCE/build/release}
 source "$DELABOLE_SOURCE/tests/program/harness.sh"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Tests the program as its user gets it: installed below a prefix and as a Debian package unpacked in an empty root, with
-# its completion for bash and its manual page, and with all libraries that it needs among the packages it depends on.
+# Tests the program as its user gets it: installed below a prefix and as a Debian package unpacked in an empty root,
+# with its completion for bash and its manual page, and with all its libraries among the packages it depends on.
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -72,7 +72,7 @@ std::string models_that_have(const std::string& key) {
     return names.empty() ? "" : "; it belongs to " + list_in_words(names);
 }
 
-// " (did you mean settings.watch?)" of an unknown section with a key that another section of the model has.
+// " (did you mean settings.watch?)" if another section of the model has a key of the unknown section.
 std::string section_that_has_key_of(const Node& unknown, const Section& root, const CaseModel& model) {
     for (const std::string& name : root.allowed()) {
         Node tree;
@@ -102,7 +102,7 @@ Node model_part(const Node& tree) {
     return part;
 }
 
-// The number at a key that the model knows, if not as an input; `value` is one that it may have.
+// Reads the number at a key that is known to the model, though not as an input; `value` is one that it may have.
 std::optional<Quantity> number_at(const Node& tree, const std::string& key, const Node& value) {
     Node part = model_part(tree);
     std::vector<Problem> problems;
@@ -171,8 +171,8 @@ void replace_in_model(Section& section, CaseModel& model) {
 CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>& settings,
                    const OutputsOf& outputs_of) {
     if (path == "-") {
-        // The name serves for the result folder, and its lack of a folder means that files named by the case are in the
-        // working folder.
+        // The name serves for the result folder; as it has no folder, files named by the case are in the working
+        // folder.
         return parse_case(read_standard_input(), "stdin.toml", settings, outputs_of);
     }
     return parse_case(read_text_file(path), path.string(), settings, outputs_of);

@@ -278,7 +278,7 @@ std::string with_input_of(const CaseModel& model, std::string text) {
                                   [](const Quantity& input) { return input.name.ends_with(".friction_angle"); });
     for (std::size_t at = text.find(example_input); own != inputs.rend() && at != std::string::npos;
          at = text.find(example_input, at + own->name.size())) {
-        // After a dot it is the end of a longer name.
+        // After a dot the text is the end of a longer name.
         if (text[at - 1] != '.') {
             text.replace(at, example_input.size(), own->name);
         }

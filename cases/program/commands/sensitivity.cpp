@@ -36,7 +36,7 @@ std::string reservation(SensitivityStatus status) {
                       "sensitivity.reliability.step and .tolerance"});
 }
 
-// The slope itself, below the head card. Blocks in motion are left out: their picture takes a run.
+// Appends the slope itself, below the head card. Blocks in motion are left out: their picture requires a run.
 void append_slope(const CaseModel& model, const ResultFolder& folder, Report& report) {
     if (std::holds_alternative<RelaxationStudy>(model)) {
         return;

@@ -74,7 +74,7 @@ ExitCode verify_command(const Paths& cases, const Options& options) {
                             {"source", row.source}});
         }
     }
-    // The wrong folder must not be reported as a success.
+    // A wrong folder must not be reported as a success.
     if (json.empty()) {
         const std::string where = cases.size() == 1 ? cases.front().string() : cases.empty() ? "cases" : "all of these";
         throw CaseError({{where, 0, 0, {}, {}, "has no [[expect]] entry: there is nothing to compare"}});

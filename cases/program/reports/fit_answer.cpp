@@ -54,13 +54,13 @@ std::string screen_of(const Table& table, std::vector<std::string> titles) {
 
 namespace {
 
-// The verdict with the names that the sentence about the values uses, in sentences that begin with a capital.
+// Returns the verdict, in sentences that begin with a capital, with the names that the sentence on the values uses.
 std::string verdict_in_short_names(const MechanismFit& fit) {
     std::vector<std::string> names;
     for (const FreeParameter& parameter : fit.parameters) {
         names.push_back(parameter.name);
     }
-    // A name may begin like another one.
+    // Longer names come first, since a name may begin like another one.
     std::ranges::sort(names, std::greater{}, [](const std::string& name) { return name.size(); });
     const std::string& verdict = fit.identifiability.verdict;
     std::string text;
@@ -111,7 +111,7 @@ std::string range_in_words(const ProfileLikelihood* profile, const FreeParameter
            " with 95 %";
 }
 
-// Only the first parameters, because a case names the most important ones first.
+// Lists only the first parameters, because a case names the most important ones first.
 std::string values_in_words(const MechanismFit& fit, std::size_t most) {
     std::vector<std::string> values;
     for (std::size_t index = 0; index < std::min(most, fit.best.size()); ++index) {

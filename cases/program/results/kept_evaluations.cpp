@@ -21,7 +21,7 @@ std::string file_of_table(const std::string& name) {
     return name + "_predictions.csv";
 }
 
-// The table in a file, `empty` where there is none.
+// Reads the table in a file; returns `empty` if there is no file.
 RunTable known_runs(const std::filesystem::path& path, RunTable empty) {
     constexpr std::size_t largest = std::size_t{256} << 20;
     if (std::error_code ignored; !std::filesystem::exists(path, ignored)) {

@@ -32,7 +32,7 @@ bool may_be_formula(std::string_view text) {
            !bare_number(text.substr(text.starts_with('+') ? 1 : 0));
 }
 
-// Below which a number is nothing but rounding.
+// Below this a number is only rounding.
 double rounding_of(Dimension dimension) {
     switch (dimension) {
     case Dimension::length:
@@ -217,7 +217,7 @@ bool too_late_for_figures() {
     return seconds_since_interrupt() > still_drawn;
 }
 
-// One for all cases of a command: a gnuplot that hangs is waited for once.
+// All cases of a command share it: a gnuplot that hangs is waited for only once.
 GnuplotRuns gnuplot_runs{.give_up = too_late_for_figures};
 
 }  // namespace

@@ -66,8 +66,8 @@ std::string without_support_in_words(CaseModel model) {
     return value != nullptr ? ", instead of FS " + number_in_words(*value) + " without these bolts" : "";
 }
 
-// The inputs at whose ends of their ranges a pattern lies: the ranges may have been too narrow. A single row is the
-// least that there is.
+// Returns the inputs of a pattern that lie at an end of their ranges, which may have been too narrow. A single row does
+// not count, since there cannot be fewer.
 std::vector<std::string> at_ends(const SupportDesign& design, const TriedSupport& tried) {
     std::vector<std::string> inputs;
     for (std::size_t index = 0; index < design.choices.size(); ++index) {
@@ -82,7 +82,7 @@ std::vector<std::string> at_ends(const SupportDesign& design, const TriedSupport
     return inputs;
 }
 
-// Says what to try where no pattern suffices.
+// Tells what to try if no pattern suffices.
 std::string remedy_for(const SupportDesign& design, const TriedSupport& strongest) {
     const std::vector<std::string> at_end = at_ends(design, strongest);
     return (at_end.empty() ? "" : "choose beyond the range of " + list_in_words(at_end) + ", or ") +

@@ -23,10 +23,10 @@ constexpr std::int64_t second = 1'000'000'000;  // ns
 
 // An interrupt that nobody has answered is checked every tick.
 constexpr std::int64_t tick = second / 10;
-// This much processor time, and not real time: on a busy machine work takes longer to come to where it checks the flag.
+// This is processor time, not real time: on a busy machine work takes longer until it checks the flag.
 constexpr std::int64_t patience = 18 * tick;
-// After so many ticks in which the process hardly worked it waits for something that may never come: input, a reader of
-// its output, a store that another process has locked.
+// After so many ticks with hardly any work the process waits for something that may never come: input, a reader of its
+// output, a store that another process has locked.
 constexpr int most_idle_ticks = 18;
 constexpr std::int64_t hardly = tick / 10;
 timer_t ticks;

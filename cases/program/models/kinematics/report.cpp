@@ -14,7 +14,7 @@ namespace delabole {
 
 namespace {
 
-// A sentence with the names of those that can move at their mean orientation.
+// Returns a sentence with the names of the items that can move at their mean orientation.
 template <class Items, class Verdict, class Name>
 std::string feasible_at_mean(const Items& items, Verdict&& verdict, Name&& name) {
     std::vector<std::string> names;
@@ -292,7 +292,7 @@ Table number_of_sets_table(const KinematicsResult& result) {
     return table;
 }
 
-// A word of a command line that bash reads as the text.
+// Quotes the text, if necessary, so that bash reads it as one word of a command line.
 std::string in_shell(const std::string& text) {
     constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-";
     if (text.find_first_not_of(plain) == std::string::npos) {
@@ -305,7 +305,7 @@ std::string in_shell(const std::string& text) {
     return word + "'";
 }
 
-// Every measured pole with its set, and with the mean that is nearest to it.
+// Lists every measured pole with its set and the set whose mean is nearest.
 std::string poles_csv(const Kinematics& model, const KinematicsResult& result) {
     CsvTable csv({"pole", "survey", "dip_deg", "dip_direction_deg", "set", "nearest_set", "angle_to_its_mean_deg"});
     std::size_t pole = 0;

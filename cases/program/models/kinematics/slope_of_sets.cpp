@@ -12,7 +12,7 @@ namespace delabole {
 
 namespace {
 
-// Puts lines in the place of everything from the line that begins with `first` to the next one that ends with `last`.
+// Replaces everything from the line that begins with `first` to the next one that ends with `last`.
 void replace_lines(std::string& text, const std::string& first, std::string_view last, const std::string& lines) {
     const std::size_t line_before = text.find("\n" + first);
     const std::size_t last_line = text.find(std::string(last) + "\n", line_before);
@@ -26,7 +26,7 @@ std::string corner(double x, double y) {
     return "    { x = \"" + human_number(x, 3) + " m\", y = \"" + human_number(y, 3) + " m\" },\n";
 }
 
-// To a tenth of a degree.
+// Angles are rounded to a tenth of a degree.
 std::string written_angle(double angle) {
     return human_number(std::round(angle / degrees(0.1)) / 10, 4) + " deg";
 }

@@ -106,8 +106,8 @@ double speed(const Motion& motion) {
     return std::hypot(motion.vx, motion.vy);
 }
 
-// Adds the velocities of the centroids at the end; returns false if nothing moves. A sliver may fly off from between
-// blocks: to its scale nothing of theirs would be seen, so that its arrow is no longer than the longest of theirs.
+// Adds the velocities of the centroids at the end; returns false if nothing moves. A sliver may fly off between blocks:
+// since the scale must show the velocities of the blocks, its arrow is no longer than the longest of theirs.
 bool add_velocities(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& bodies) {
     constexpr double at_rest = 1e-6;
     constexpr double sliver_share = 0.1;  // of the median block's mass

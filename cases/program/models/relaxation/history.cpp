@@ -104,7 +104,7 @@ std::vector<std::size_t> free_blocks(const RelaxationScene& scene) {
     return blocks;
 }
 
-// The abbreviation in the thesis's tables of blocks between two print edits (Tables 5.1 to 5.5).
+// Returns the abbreviation of the thesis's tables for blocks between two print edits (Tables 5.1 to 5.5).
 std::string movement_word(double slip, double size) {
     constexpr double least_share = 1e-6;  // of the block; a smaller slip is the elastic deformation of the springs
     if (std::abs(slip) <= least_share * size) {

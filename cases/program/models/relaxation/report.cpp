@@ -293,7 +293,7 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
         return answer;
     }
     if (study.critical && outcome != RelaxationOutcome::interrupted) {
-        // The nearer to the critical value, the longer the blocks take to a verdict: no pace tells what is left.
+        // The nearer to the critical value, the longer a verdict takes: the pace does not tell the time left.
         how.watch = [&](double done) {
             return keeper.goes_on(share + (of_first - share) * done,
                                   human_name(name_of_critical(parameter_of(*study.critical))), true);
@@ -390,7 +390,7 @@ Impossibility impossibility(const RelaxationStudy& study, std::string_view) {
     if (found.keys.empty()) {
         return {{"scene"}, "the scene is not valid: " + human_name(word_of(fault.check))};
     }
-    // The words and keys leave these places open.
+    // The words and keys contain these placeholders.
     const std::array<std::pair<std::string_view, std::string>, 5> open{
         {{"{number}", std::to_string(fault.index + 1)},
          {"{block}", block_name(fault.index)},
