@@ -82,7 +82,7 @@ value = "12 deg"
 standard_deviation = "1 deg"
 )";
 
-// To be appended to the same: the second mechanism's own observation, evidence and surrogate.
+// To be inserted behind the second mechanism's parameter: its own observation and evidence, and a surrogate.
 inline constexpr std::string_view own_terms = R"(
 [[fit.mechanism.observation]]
 label = "tilt"

@@ -110,7 +110,7 @@ TEST(Animation, PosesComeBack) {
         for (std::size_t index = 0; index < moving; ++index) {
             const BlockPose& pose = animation.frames[frame].poses[data["moving"][index].get<std::size_t>()];
             const int* back = &poses[3 * (moving * frame + index)];
-            // The data keep half a unit of their numbers, and places are given to 0.01 px.
+            // Numbers are kept to half a unit, and places are given to 0.01 px.
             EXPECT_NEAR(back[0] * pixel, pose.displacement.x() * scale, 0.51 * pixel + 0.02);
             EXPECT_NEAR(back[1] * pixel, pose.displacement.y() * scale, 0.51 * pixel + 0.02);
             EXPECT_NEAR(back[2] * data["angle"].get<double>() * degree, pose.rotation, 0.51e-4);

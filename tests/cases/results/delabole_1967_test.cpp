@@ -179,7 +179,7 @@ TEST(Delabole1967, WhichMechanismIsFirstDoesNotHangOnThePriors) {
     }
 }
 
-// Half of the conclusions of 2.4.2 is for the slope in motion to decide.
+// Half of the conclusions of 2.4.2 are for the slope in motion to decide.
 TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
     const std::vector<ConclusionFinding> findings = judge_conclusions(problem_of_1967(), result_of_1967());
     const auto finding = [&](const std::string& label) {

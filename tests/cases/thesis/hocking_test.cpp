@@ -162,7 +162,7 @@ TEST(Hocking, BlowOutIsADifferenceOfOverlapsOfTwoFaces) {
 
     const double half_width = one.columns.width / 2;
     const double half_height = one.columns.heights[0] / 2;
-    // The other lengths are small: an overlap below W / k = 4e-6 m, and a foot risen by width times 0.13 deg, 6e-5 m.
+    // Nothing special happens: an overlap below W / k = 4e-6 m, and a foot risen by width times 0.13 deg, 6e-5 m.
     EXPECT_GT(half_width - change.stored_position, 0);
     EXPECT_LT(half_width - change.stored_position, 4e-6);
     EXPECT_GT(half_height - change.new_position, 0);

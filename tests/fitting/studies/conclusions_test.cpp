@@ -72,7 +72,7 @@ TEST(Conclusions, ProbabilitiesOfMechanisms) {
     EXPECT_EQ(findings[4].verdict, Verdict::not_tested);
     EXPECT_TRUE(std::isnan(findings[4].value));
     EXPECT_EQ(findings[5].verdict, Verdict::confirmed);
-    // A mechanism that is less probable than claimed does not make the opposite probable.
+    // That a mechanism is less probable than claimed does not make the opposite probable.
     EXPECT_EQ(findings[6].verdict, Verdict::undecided);
     EXPECT_EQ(findings[7].verdict, Verdict::undecided);
     EXPECT_EQ(findings[8].verdict, Verdict::contradicted);

@@ -6,7 +6,7 @@
 namespace delabole {
 namespace {
 
-// A few eliminations round numbers of the order of 1.
+// The tolerance is the rounding of a few eliminations on numbers of the order of 1.
 constexpr double rounding = 1e-12;
 
 TEST(Infeasibility, OfEquationsWithAndWithoutASolution) {

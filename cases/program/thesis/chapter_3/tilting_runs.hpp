@@ -20,7 +20,7 @@ struct PlasterFriction {
 inline constexpr int least_height = 2;
 inline constexpr int most_height = 9;
 
-// Heights grow by an inch and fall again; the greatest stands twice if the number of columns is even (3.3.2.2).
+// Heights grow from 1 by 1 inch and fall again; the greatest stands twice if the number of columns is even (3.3.2.2).
 std::vector<double> growing_and_falling(int count);
 
 struct FrameRow {

@@ -72,7 +72,7 @@ TEST(Bolts, AWeakBarYields) {
     const RelaxationResult result = relax(hanging(1e8, force / 2), settings);
     EXPECT_EQ(result.bolt[0].force, force / 2);
     const double way = gravity * std::sin(plane.tilt) / 2 * 0.5 * 0.5 / 2;
-    EXPECT_NEAR(result.block[0].displacement / way, 1, 0.01);  // an elastic bolt held a little longer
+    EXPECT_NEAR(result.block[0].displacement / way, 1, 0.01);  // it held a little longer while it was elastic
     EXPECT_NEAR(result.bolt[0].yielded / way, 1, 0.01);
     RelaxationScene uphill = hanging(1e8, force / 2);
     uphill.gravity.tilt = uphill.gravity.final_tilt = -plane.tilt;

@@ -383,7 +383,7 @@ TEST(Tilting, InSmallIncrementsReachesTheStaticLimit) {
     EXPECT_LT(result.tilt, degrees(18.75));
 }
 
-// The pack stands for ten seconds once it has settled for three: nothing moves, and no contact is evaluated.
+// The pack stands for ten seconds once it has settled for three: not a bit moves, and no contact is evaluated.
 void expect_no_creep(const BrickPack& pack, RelaxationStart start) {
     const RelaxationScene scene = brick_pack_scene(pack);
     RelaxationSettings settings;

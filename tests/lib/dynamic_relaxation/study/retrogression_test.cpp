@@ -155,8 +155,8 @@ TEST(Retrogression, GoesOnFromWhereItWasStopped) {
     }
 }
 
-// Retrogression by motion is the other way to the ground left standing: the run lasts until what is left rests. All
-// blocks slide off the end of the floor.
+// The motion itself is the other way to the ground left standing: the run lasts until what is left rests. All blocks
+// slide off the end of the floor.
 TEST(Rest, FollowsACollapseUntilWhatIsLeftRests) {
     RelaxationStudy study = wall(degrees(20));
     study.retrogression.reset();
