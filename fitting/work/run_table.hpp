@@ -73,7 +73,7 @@ struct TabledRuns {
     std::mutex mutex = {};
 };
 
-// A model that looks in the table first. `runs` has to outlive it and its predictions, which may be requested from
+// A model that first searches the table. `runs` has to outlive it and its predictions, which may be requested from
 // several threads.
 ModelInterface tabled(ModelInterface model, TabledRuns& runs);
 

@@ -1,4 +1,4 @@
-// Samples of a limit-equilibrium model by one and two threads, and what drawing them costs without the model.
+// Measures the cost of samples of a limit-equilibrium model on one and two threads, and of drawing them alone.
 #include "fitting/sensitivity/sensitivity.hpp"
 #include "plane_failure/plane_failure.hpp"
 

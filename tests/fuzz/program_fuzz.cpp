@@ -1,5 +1,5 @@
-// What `delabole check` and `delabole run` do with a case, but for writing files: any case is refused with a CaseError
-// or answered, and no answer is NaN. How cases are changed, what is left out and what was counted: README.md.
+// Checks and runs a case as `delabole check` and `delabole run` do, but writes no files: any case is refused with a
+// CaseError or answered, and no answer is NaN. How cases are changed, what is left out and what was counted: README.md.
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/models/stepped_base/bound.hpp"
 #include "cases/program/results/analysis.hpp"

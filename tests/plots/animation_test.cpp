@@ -1,4 +1,4 @@
-// The animation of a report: what its data say, and the drawing that stands there without its script.
+// Tests the animation of a report: its data, and the drawing that stands there without its script.
 #include "plots/report/animation.hpp"
 
 #include "plots/report/report.hpp"
@@ -312,7 +312,7 @@ TEST(Animation, IsSmall) {
     EXPECT_LT(animation_html(busy(8, 300, 0)).size(), 100'000U);
     const std::size_t all_move = animation_html(busy(1000, 200, 0)).size();
     EXPECT_LT(all_move, 2'500'000U);
-    // Blocks that never move are in the drawing alone.
+    // Blocks that never move are only in the drawing.
     EXPECT_LT(animation_html(busy(1000, 200, 900)).size(), all_move / 4);
 }
 

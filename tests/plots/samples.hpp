@@ -1,4 +1,4 @@
-// Figures and a report with the numbers of a real slope, for tests and for looking at.
+// Figures and a report with the numbers of a real slope, for tests and for inspection.
 #pragma once
 
 #include "fitting/mechanism/fit_result.hpp"

@@ -33,7 +33,7 @@ Type with_legend(const Figure& figure, const std::string& legend) {
     return {};
 }
 
-// Of every kind, in drawing order; series without one are left out.
+// Returns the legends of every kind in drawing order; series without one are left out.
 inline std::vector<std::string> legends(const Figure& figure) {
     std::vector<std::string> result;
     for (const Series& series : figure.series) {

@@ -152,7 +152,7 @@ void add(const std::string& word, const std::vector<Compared>& pairs, std::vecto
     rows.push_back({std::to_string(same) + " " + word + " are the same"});
 }
 
-// Both answers, what differs between the cases, their first figures side by side and the table of differences.
+// Shows both answers, what differs between the cases, their first figures side by side and the table of differences.
 void write_comparison(const std::vector<Analysed>& both, const std::vector<std::vector<std::string>>& rows, Json json,
                       const Options& options, double seconds) {
     const ResultFolder folder(options, "compare", OnInterrupt::stop);

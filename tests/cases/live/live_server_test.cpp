@@ -20,7 +20,7 @@
 namespace delabole {
 namespace {
 
-// What the server sends back until it closes the connection; empty where it only closes it. The server waits a second
+// Returns what the server sends until it closes the connection; empty if it only closes it. The server waits a second
 // for the rest of a request, its client for a twentieth of one, and then says that nothing more will come.
 std::string answer_to(int port, const std::string& bytes) {
     const int connection = socket(AF_INET, SOCK_STREAM, 0);

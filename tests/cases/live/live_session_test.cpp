@@ -1,5 +1,5 @@
-// What the page of `delabole live` may be asked: any JSON is answered or refused in words, and what is saved is a case
-// with the values that were asked for.
+// Any JSON that the page of `delabole live` sends is answered or refused in words, and what is saved is a case with the
+// values that were asked for.
 #include "tests/cases/live/live_case.hpp"
 
 #include "cases/program/results/analysis.hpp"

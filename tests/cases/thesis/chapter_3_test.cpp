@@ -1,4 +1,4 @@
-// What `delabole reproduce chapter3` says, and `chapter2` of its models.
+// Tests what `delabole reproduce chapter3` prints, and `chapter2` for its models.
 #include "cases/program/commands/commands.hpp"
 #include "tests/cases/thesis/reproduction_fixture.hpp"
 
@@ -24,7 +24,7 @@ bool all_met(const Json& score) {
     return score["met"] == score["of"] && score["of"] > 0;
 }
 
-// Gnuplot's scripts hold what a drawing names.
+// Returns whether the gnuplot script of a figure contains the text.
 bool holds(const std::filesystem::path& folder, const std::string& file, const std::string& text) {
     std::ifstream stream(folder / "figures" / (file + ".gp"));
     std::ostringstream script;

@@ -1,4 +1,4 @@
-// What `delabole reproduce chapter4` says: the numbers of the verification deck.
+// Tests what `delabole reproduce chapter4` prints: the numbers of the verification deck.
 #include "cases/program/models/single_block/chart.hpp"
 #include "limit_equilibrium/block_row/single_block.hpp"
 #include "tests/cases/thesis/reproduction_fixture.hpp"

@@ -1,4 +1,4 @@
-// What `delabole reproduce chapter5` says of the thesis's dynamic relaxation.
+// Tests what `delabole reproduce chapter5` prints about the thesis's dynamic relaxation.
 #include "cases/program/thesis/chapter_5/sliding.hpp"
 #include "tests/cases/thesis/reproduction_fixture.hpp"
 
@@ -61,8 +61,8 @@ TEST_F(Chapter5, CleanThresholds) {
     EXPECT_LT(json["preloaded_spread_deg"].get<double>(), 0.002);
     EXPECT_LT(json["dropped_spread_by_step_deg"].get<double>(), 0.004);
     const Json& by_stiffness = json["threshold_deg"];
-    // What is lost by dropping falls with the root of the stiffness: 10 from 1e6 to 100e6 N/m; each is bisected to
-    // 0.002 deg of 0.08 deg.
+    // The loss by dropping decreases with the root of the stiffness: by a factor of 10 from 1e6 to 100e6 N/m; each is
+    // bisected to 0.002 deg of 0.08 deg.
     const auto lost = [&](const std::string& stiffness) {
         return std::atan(1.0 / 3) * 180 / std::numbers::pi - by_stiffness[stiffness]["one_dropped"].get<double>();
     };
@@ -90,7 +90,7 @@ TEST_F(Chapter5, TwoBlocks) {
     EXPECT_GT(gap["parted_in"].get<double>(), gap["opening_before_in"].get<double>());
 }
 
-// What the remarks to the tilted runs say.
+// This is what the remarks to the tilted runs say.
 TEST_F(Chapter5, TheThicknessOfTheBaseDecidesTiltedRuns) {
     const Json json = reproduce("tilted_blocks").json;
     EXPECT_EQ(json["complete"]["base turned"],
@@ -252,7 +252,7 @@ TEST_F(Chapter5, OnsetConvergesToEquilibrium) {
     }
     // Appendix A: 41.14 deg. At k b/W = 1e7 compliance is left with some hundredths of a degree.
     EXPECT_NEAR(onset.back().get<double>(), 41.14, 0.05);
-    // The thesis's soft blocks: its bracket where they are dropped, lower where preloaded.
+    // The thesis's soft blocks have its bracket if they are dropped, and less if they are consolidated.
     EXPECT_GT(json["inches_dropped_deg"].get<double>(), 42);
     EXPECT_LT(json["inches_dropped_deg"].get<double>(), 44);
     EXPECT_LT(json["inches_preloaded_deg"].get<double>(), 42);

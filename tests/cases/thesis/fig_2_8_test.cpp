@@ -31,7 +31,7 @@ TEST(Fig28, SolutionMeetsThePrintedStatementsByThePrintedFormulas) {
         EXPECT_NEAR(printed_factor(unit_weight, *solution.z, *solution.z * 2 / 3, fig_2_8_cohesion), 1, 1e-12);
         EXPECT_NEAR(printed_factor(unit_weight, *solution.z, *solution.z / 2, 0), solution.factor_half_full, 1e-12);
         EXPECT_GT(solution.factor_half_full, 1);
-        // What the text of the reproduction says.
+        // This is what the text of the reproduction says.
         EXPECT_NEAR(350 + solution.state.crack_base_height / 0.3048, 425, 11);
         EXPECT_LT(solution.state.overturning_factor, 1);
     }

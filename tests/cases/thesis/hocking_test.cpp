@@ -238,7 +238,7 @@ TEST(Hocking, HistoriesAreChaotic) {
     EXPECT_EQ(angle(first), angle(again));
 }
 
-// What is stored from cycle to cycle fits the words asked for, and where the block goes stays the same but for them.
+// The stored numbers fit into words of the requested length, and otherwise the block moves as before.
 TEST(Hocking, ShorterWordsCutWhatIsStored) {
     const HockingSettings full = settings(20, 200);
     HockingSettings cut = full;

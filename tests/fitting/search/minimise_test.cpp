@@ -88,7 +88,7 @@ TEST_P(EveryAlgorithm, RethrowsWhatTheObjectiveThrows) {
 }
 
 TEST_P(EveryAlgorithm, CountsFailuresAndKeepsTheBestValidPoint) {
-    // Fails in half of the domain, in two ways; the least valid value is 0.25 at x = 0.5.
+    // The objective fails in half of the domain, in two ways; the least valid value is 0.25 at x = 0.5.
     const auto half = [](std::span<const double> x) -> Evaluation {
         if (x[0] < 0.5) {
             return {0, "left"};

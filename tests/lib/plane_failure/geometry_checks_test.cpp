@@ -267,7 +267,7 @@ TEST(Checks, EveryNumberOutOfRangeIsRefused) {
     }
 }
 
-// NaN in an input that matters must not read as an answer where ranges are not looked at.
+// NaN in an input that matters must not pass for an answer if ranges are not checked.
 TEST(Checks, NotANumberIsNeverAnAnswer) {
     const auto unchecked = [](auto change) {
         PlaneFailure<> problem = textbook_slope();

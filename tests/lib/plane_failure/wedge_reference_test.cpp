@@ -159,8 +159,8 @@ void compare(const PlaneFailure<>& problem, Tally& tally) {
     if (!have_inherent) {
         const Real net = Real(result.overturning_moment) - Real(result.restoring_moment);
         const Real size = Real(result.overturning_moment) + Real(result.restoring_moment);
-        // Geometry excused above would excuse its moments too, so they are looked at only without. The arm of a force
-        // may cancel: ten times the bound of a force.
+        // Geometry that is excused above would excuse its moments too, so they are only compared without an excuse. The
+        // arm of a force may cancel: ten times the bound of a force.
         EXPECT_LE(abs(net - independent.overturning_moment), 10 * bound * size) << describe(problem);
         if (independent.driving > 0) {
             const Real factor = independent.factor_of_safety;

@@ -15,7 +15,7 @@ namespace {
 
 BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
     BlockAnimation animation;
-    // A run that is watched goes on after its verdict, whose moment is that of onset.
+    // A run that is followed for a given time continues after its verdict, whose moment is that of onset.
     const bool on_time = made.result.onset_time && *made.result.onset_time < made.result.time;
     animation.outcome =
         human_name(word_of(made.result.outcome)) +

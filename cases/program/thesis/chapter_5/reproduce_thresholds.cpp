@@ -31,7 +31,7 @@ bool stands(const Chapter5Run& run, RelaxationStart start, double rotation, doub
     return relax(clean_scene(run, exact_blocks(run)), settings).outcome == RelaxationOutcome::equilibrium;
 }
 
-// Greatest tilts at which one and two blocks come to rest, dropped and preloaded, deg.
+// Greatest tilts, deg, at which one and two blocks come to rest, dropped or consolidated.
 using Thresholds = std::array<double, 4>;
 constexpr std::array keys{"one_dropped", "one_preloaded", "two_dropped", "two_preloaded"};
 enum { one_dropped, one_preloaded, two_dropped, two_preloaded };

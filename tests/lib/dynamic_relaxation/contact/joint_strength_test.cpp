@@ -255,7 +255,7 @@ TEST(JointStrength, BooksOfAWallThatFallsApartBalance) {
     settings.local_damping = 0;
     settings.duration = 0.4;
     for (const double tension : {0.0, 2e4}) {
-        // What explicit steps of 0.6 of the stable one leave over in any run of blocks that bump.
+        // Explicit steps of 0.6 of the stable one leave this error in any run of colliding blocks.
         EXPECT_LT(energy_error(relax(weak_wall(4, 4, tension), settings), 0), 0.02) << tension;
     }
 }

@@ -30,7 +30,7 @@ falls::Fall block_from_20_m(double angle) {
 }
 
 // At 24, 156 and eight other angles of 180 the block went through the floor, 4 m thick: it turned so far between two
-// looks at its contacts that other corners came down than those that had been listed.
+// checks of its contacts that other corners came down than those that had been listed.
 TEST(Falls, NoBlockGoesThroughTheFloorWhateverItsAngle) {
     for (int angle = 0; angle < 180; angle += 12) {
         const falls::Fall fall = block_from_20_m(degrees(angle));

@@ -73,7 +73,7 @@ TEST(PrescribedMotion, BlocksOnATurnedBaseAreSeenFromIt) {
     const RelaxationResult gravity_turned = run(false);
     EXPECT_EQ(base.outcome, RelaxationOutcome::equilibrium);
     EXPECT_EQ(base.block[0].movement, BlockMovement::stays);
-    // The base starts to turn at once: that lifts the block by some 3e-5 of its width. In the drawing it moves by 0.18.
+    // The base starts to turn at once, which lifts the block by some 3e-5 of its width. In fixed axes it moves by 0.18.
     EXPECT_NEAR(base.block[0].rotation, gravity_turned.block[0].rotation, 1e-4);
     EXPECT_NEAR(base.block[0].displacement, gravity_turned.block[0].displacement, 1e-4);
 }

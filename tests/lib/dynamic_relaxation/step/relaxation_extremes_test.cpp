@@ -82,8 +82,8 @@ TEST(Friction, ThroughNinetyDegreesInAll) {
             }
             stands = tilt;
         }
-        // More friction never fails earlier, to the half degree looked at, and the two together stand no longer than as
-        // one block of 2 x 3 m.
+        // More friction never fails earlier, to the half degree that is resolved, and the two together stand no longer
+        // than one block of 2 x 3 m.
         EXPECT_GE(stands, before) << "friction " << friction;
         EXPECT_LE(stands, 33.69) << "friction " << friction;
         EXPECT_LE(stands, friction) << "friction " << friction;
@@ -123,7 +123,7 @@ TEST(Similarity, OfLengths) {
             const RelaxationResult other = toppling_block(length, 1, tilt, std::sqrt(length));
             EXPECT_EQ(one.outcome, other.outcome) << length;
             // A block on one edge leaves its start as an exponential of time: rounding grows with it, a thousandfold
-            // until 0.01 rad are reached, and the step at which a look finds them differs by 50 steps.
+            // until 0.01 rad are reached, and the step at which a check finds them differs by 50 steps.
             EXPECT_NEAR(one.block[0].rotation, other.block[0].rotation, 0.01 * std::abs(one.block[0].rotation) + 1e-12)
                 << length;
         }

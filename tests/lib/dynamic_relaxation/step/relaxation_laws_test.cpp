@@ -368,7 +368,7 @@ TEST(Shaking, DownwardByMoreThanGravityLiftsABlock) {
         RelaxationSettings settings = unlimited(0.2);
         settings.local_damping = 0;
         const RelaxationResult result = relax(scene, settings);
-        // The springs' work, 1e-6 of the width each, is far below a thousandth of the way.
+        // The springs' work, 1e-6 of the width each, is far below a thousandth of the displacement.
         const double way = 0.5 * gravity * result.time * result.time / 2;
         EXPECT_NEAR(result.block[0].displacement, way, 1e-3 * way) << tilt;
         EXPECT_LT(energy_error(result, 0), 0.02) << tilt;

@@ -1,4 +1,4 @@
-// What a run says of each block: how it has moved, and how far it has slipped over fixed ones.
+// A run reports for each block how it has moved, and how far it has slipped over fixed ones.
 #include "tests/lib/dynamic_relaxation/relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

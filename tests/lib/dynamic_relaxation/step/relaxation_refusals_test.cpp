@@ -1,4 +1,4 @@
-// What dynamic relaxation refuses to run, and that it names what is wrong and where.
+// Dynamic relaxation refuses impossible scenes, and names what is wrong and where.
 #include "dynamic_relaxation/step/scene_check.hpp"
 #include "tests/lib/dynamic_relaxation/relaxation_scenes.hpp"
 

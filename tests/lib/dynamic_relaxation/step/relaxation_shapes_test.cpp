@@ -173,7 +173,7 @@ TEST(Translation, ByAMillionSizesChangesNothing) {
             const RelaxationResult other = relax(far, until_onset());
             EXPECT_EQ(one.outcome, other.outcome) << tilt;
             for (std::size_t block = 0; block < 3; ++block) {
-                // The drawing itself is rounded to 1e-10 m, a ten-thousandth of the overlaps.
+                // The initial geometry is itself rounded to 1e-10 m, a ten-thousandth of the overlaps.
                 const double size = std::abs(one.block[block].rotation) + one.block[block].displacement;
                 EXPECT_NEAR(one.block[block].rotation, other.block[block].rotation, 0.02 * size + 1e-8)
                     << tilt << " block " << block;

@@ -1,4 +1,4 @@
-// Where bonded rock has broken, and which joints stand open.
+// Tests where bonded rock has broken, and which joints stand open.
 #include "dynamic_relaxation/study/cracks.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 #include "tests/lib/dynamic_relaxation/relaxation_scenes.hpp"

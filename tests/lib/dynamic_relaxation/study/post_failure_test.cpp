@@ -1,4 +1,4 @@
-// What failed and what is left standing, of a slope whose blocks are put where the test wants them.
+// Tests what has failed and what is left standing, for a slope whose blocks are placed by the test.
 #include "dynamic_relaxation/study/post_failure.hpp"
 
 #include "dynamic_relaxation/study/relaxation_study.hpp"
@@ -185,7 +185,7 @@ TEST_F(Wall, NamesAndMeasuresCracks) {
     EXPECT_NEAR(found.answer.between_cracks.vertical, -0.03, rounding);
     EXPECT_NEAR(found.answer.between_cracks.rotation, -0.004, rounding);
     EXPECT_NEAR(found.answer.backward_rotation, 0.004, rounding);
-    // Nothing has gone far enough to count as failed: the shares of 0.07, 0.036 m at a limit of 0.25.
+    // Nothing has moved far enough to count as failed: these are the shares of 0.07 and 0.036 m at a limit of 0.25.
     EXPECT_LT(found.answer.failed_area, 12 * std::pow(0.07 / 0.25, 4) + 12 * std::pow(0.04 / 0.25, 4));
 }
 

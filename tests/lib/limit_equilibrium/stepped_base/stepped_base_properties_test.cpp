@@ -1,4 +1,4 @@
-// What holds for any slope on a stepped base: the crack, cables, other ways to the same limit, ends of ranges.
+// Properties of any slope on a stepped base: the crack, cables, other methods with the same limit, ends of ranges.
 #include "limit_equilibrium/stepped_base/stepped_base.hpp"
 
 #include <gtest/gtest.h>
