@@ -297,8 +297,8 @@ struct OtherPath {
     double value;
     bool stands;
 };
-// Returns nothing if the search was also on other paths, or on another one, or found no value, or if this run reached
-// no verdict in as many steps as the search, at least a thousand.
+// Nothing where the search was on other paths, too, or on another one, found no value, or this run reached no verdict
+// in as many steps as the search, at least a thousand.
 std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const CriticalAnswer& found,
                                         const RelaxationWatch& watch = {});
 
