@@ -196,8 +196,8 @@ void append_mechanism(const ResultFolder& folder, Report& report, const Problem&
                       const std::string& name) {
     if (answer.failed && answer.failed->end) {
         report.blocks.emplace_back(folder.draw(
-            mechanism_figure(*answer.failed,
-                             problem.published.problem + ", failing at " + value_in_table(problem, answer.fails)),
+            mechanism_figure(*answer.failed, problem.published.problem + ", failing at " +
+                                                 in_digits(answer.fails, problem.dimension(), 4)),
             name, problem.file.title + ", path " + human_name(word_of(answer.path)) + ". " + problem.file.description));
     }
 }
