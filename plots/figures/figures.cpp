@@ -31,18 +31,33 @@ Line curve_line(const NamedCurve& curve, std::size_t index, double x_unit, doubl
     return line;
 }
 
-// Labels each curve with its legend, at a different place along each curve but within its ends.
-void label_curves(std::vector<Line>& lines, Figure& figure) {
+// About: title and axes take so much of the height and the width, px.
+Point px_per_unit(const Figure& figure) {
+    return {(figure.width - 110) / (figure.x.range->second - figure.x.range->first),
+            (figure.height - 135) / (figure.y.range->second - figure.y.range->first)};
+}
+
+// Draws the curves, each with its legend as a label on it, at another place on every curve where that is as free as
+// any.
+void add_labelled(std::vector<Line> lines, Figure& figure) {
+    std::vector<std::string> legends;
+    for (Line& line : lines) {
+        legends.push_back(std::exchange(line.legend, ""));
+    }
+    figure.series.insert(figure.series.end(), lines.begin(), lines.end());
     for (std::size_t index = 0; index < lines.size(); ++index) {
-        Line& line = lines[index];
-        if (!line.points.empty() && !line.legend.empty()) {
-            figure.labels.push_back({.at = line.points[(2 * index + 1) * line.points.size() / (2 * lines.size())],
-                                     .text = std::exchange(line.legend, ""),
-                                     .align = index == 0                  ? Label::Align::left
-                                              : index + 1 == lines.size() ? Label::Align::right
-                                                                          : Label::Align::centre,
-                                     .colour = line.colour});
+        const Polyline& points = lines[index].points;
+        if (points.empty() || legends[index].empty()) {
+            continue;
         }
+        constexpr std::size_t places_on_a_curve = 24;
+        const std::size_t first = (2 * index + 1) * places_on_a_curve / (2 * lines.size());
+        std::vector<LabelPlace> places;
+        for (std::size_t place = 0; place < places_on_a_curve; ++place) {
+            places.push_back({points[(first + place) % places_on_a_curve * points.size() / places_on_a_curve],
+                              Label::Align::centre});
+        }
+        add_where_free(places, legends[index], px_per_unit(figure), figure, lines[index].colour);
     }
 }
 
@@ -92,9 +107,7 @@ void mark_statements(const std::vector<PrintedStatement>& statements, double x_u
     if (marks.empty()) {
         return;
     }
-    // Title and axes take about so much of the height and the width, px.
-    const Point px_per_unit((figure.width - 110) / (figure.x.range->second - figure.x.range->first),
-                            (figure.height - 135) / (figure.y.range->second - figure.y.range->first));
+    const Point scale = px_per_unit(figure);
     letter = 'A';
     for (const Point& mark : marks) {
         std::vector<LabelPlace> places;
@@ -103,9 +116,9 @@ void mark_statements(const std::vector<PrintedStatement>& statements, double x_u
               std::tuple{12, 0, Label::Align::left}, std::tuple{-12, 0, Label::Align::right},
               std::tuple{10, 16, Label::Align::left}, std::tuple{-10, 16, Label::Align::right},
               std::tuple{10, -18, Label::Align::left}, std::tuple{-10, -18, Label::Align::right}}) {
-            places.push_back({mark + Point(right / px_per_unit.x(), up / px_per_unit.y()), align});
+            places.push_back({mark + Point(right / scale.x(), up / scale.y()), align});
         }
-        add_where_free(places, std::string(1, letter), px_per_unit, figure);
+        add_where_free(places, std::string(1, letter), scale, figure);
         figure.labels.back().boxed = false;  // a ground of its own would hide the curves that the mark stands on
         letter = letter == 'Z' ? 'A' : static_cast<char>(letter + 1);
     }
@@ -197,8 +210,7 @@ Figure failure_locus_figure(const FailureLoci& data) {
                 Line{.points = {{left, bottom}, {right, upper}}, .legend = range.legend, .colour = colour, .width = 5});
         }
     }
-    label_curves(lines, figure);
-    figure.series.insert(figure.series.end(), lines.begin(), lines.end());
+    add_labelled(std::move(lines), figure);
     if (given) {
         figure.series.emplace_back(
             Points{.points = {*given}, .legend = "as given", .marker = Marker::circle, .size = 1.8});

@@ -62,6 +62,8 @@ for command in run sensitivity; do
 done
 delabole sensitivity support.toml --out support_probability
 expect_status 0
+expect_order support_probability/report.html '<section class="head' 'Probability of failure' \
+    '>The slope with the values of the case</h2>' 'The slope and what slides.' '>Distribution of the factor of safety</h2>'
 expect_output 'Of 180 patterns the cheapest for FS 2'
 expect_output 'Probability of failure'
 delabole run support.toml --set support_design.choose='[{ input = "support[1].rows", from = 1, to = 4, points = 3 }]'

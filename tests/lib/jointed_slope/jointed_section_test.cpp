@@ -221,6 +221,21 @@ TEST(JointedSection, LongSliversAreKeptBecauseBlocksRestOnThem) {
     EXPECT_EQ(cut_in_one_rock(geometry).slivers_kept, 2U);
 }
 
+// The block below has thousands of corners on one line, none of them quite on it.
+TEST(JointedSection, BlockUnderManyColumnsIsNoSliver) {
+    JointSetCut columns = joint_set(degrees(70), 0.005);
+    columns.ends_on = "base";
+    columns.side = SideOfLine::above;
+    const JointedSection made =
+        cut_in_one_rock(section(square(10), {cut("base", line({{-1, 2}, {11, 6}})), cut("columns", columns)}));
+    double greatest = 0;
+    for (const SlopeBlock& block : made.block) {
+        greatest = std::max(greatest, area_properties(outline_of(made, block)).area);
+    }
+    EXPECT_NEAR(greatest, 40, 1e-6) << "the square below the base; corners are snapped within 1e-8 m";
+    EXPECT_GT(made.block.size(), 1500U);
+}
+
 TEST(JointedSection, ScatterKeepsWithinItsBounds) {
     JointSetCut set = joint_set(degrees(90), 1, 0.5);
     set.scatter = 0.3;
