@@ -1,5 +1,5 @@
 // Measures the cost of statics for slopes cut into more and more blocks: the equilibrium of the three sets of Old
-// Delabole (cases/thesis/chapter_2/delabole_1500_blocks.toml), which stand at 60 deg of friction, and the factor of
+// Delabole (cases/thesis/chapter_2/delabole_1500_blocks.toml), which stand at 50 deg of friction, and the factor of
 // safety of columns that slide and lean.
 //
 // With --figure=FOLDER the measured times are drawn over the numbers of blocks, beside the growth that is wanted.
@@ -58,7 +58,7 @@ RelaxationStudy delabole(double fineness) {
     return slope({{degrees(70), 10 * fineness, 0},
                   {degrees(-85), 2.549 * fineness, 0},
                   {degrees(-5), 1.942 * fineness, 0.971 * fineness}},
-                 0.2 * fineness, degrees(60));
+                 0.2 * fineness, degrees(50));
 }
 
 // Columns that lean into the slope, cut by joints on which they slide out of it.
