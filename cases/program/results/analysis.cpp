@@ -266,7 +266,20 @@ std::string failure_of(const CaseModel& model) {
         const SceneFault fault = check(*study);
         return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
     }
-    return std::visit([](const auto& answer) { return failure_in(answer); }, analyse_case(model));
+    // What is asked for beside the result does not decide whether there is one, and may take a hundred times as long.
+    CaseModel bare = model;
+    std::visit(
+        [](auto& study) {
+            if constexpr (requires { study.required; }) {
+                study.required.clear();
+            }
+            if constexpr (requires { study.required_cable; }) {
+                study.required_cable.clear();
+                study.linear_programming_bound.reset();
+            }
+        },
+        bare);
+    return std::visit([](const auto& answer) { return failure_in(answer); }, analyse_case(bare));
 }
 
 }  // namespace delabole
