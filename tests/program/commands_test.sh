@@ -46,7 +46,8 @@ expect "all that were tried" test "$(wc -l <support/support.csv)" -gt 10
 expect "the report says so as well" contains support/report.html 'Of 180 patterns the cheapest'
 expect "and the case that was analysed holds it" refuse cmp -s \
     <(grep -A9 '^\[\[support\]\]' support.toml | grep '^rows\|^length') <(grep '^rows\|^length' support/resolved.toml)
-delabole run support.toml --set support_design.choose='[{ input = "support[1].rows", from = 3, to = 5, points = 3 }]'
+delabole run support.toml --set support_design.choose='[{ input = "support[1].rows", from = 3, to = 5, points = 3 }]' \
+    --no-report
 expect_output '; cheaper ones may lie beyond the range of support[1].rows.'
 delabole run support.toml --set support_design.factor_of_safety=50 --out too_much
 expect_status 0
@@ -71,7 +72,7 @@ expect_status 3
 expect_error 'makes numbers of rows that are not whole'
 delabole run good.toml --set support_design.factor_of_safety=2
 expect_status 3
-delabole sensitivity "$source_folder/cases/stepped_base/bolted_columns.toml" --out bolted_columns
+delabole sensitivity "$source_folder/cases/stepped_base/bolted_columns.toml" --out bolted_columns --no-report
 expect_status 0
 expect_output 'Of 252 patterns the cheapest for FS 1.1'
 expect_output 'Probability of failure'
@@ -114,11 +115,11 @@ expect "axes" contains imperial/figures/section.gp 'distance from the toe (ft)'
 expect "none left in metres" refuse grep -qE '[0-9] (m|m2|kPa|kN/m|kN/m3)(<| |,|[.])' imperial/report.html
 expect "files are metric" contains imperial/result.json '"crack_depth_m": 4.34'
 expect "what was set is kept" contains imperial/resolved.toml 'units = "imperial"'
-delabole run good.toml --out metric
+delabole run good.toml --out metric --no-report
 expect "and the next is metric again" grep -qE 'kN/m drive' "$scratch/out"
 
 title "run: what has no meaning has no number, and a height beyond all mountains is asked about"
-delabole run good.toml --set slope.height='40 km' --out high
+delabole run good.toml --set slope.height='40 km' --out high --no-report
 expect_output 'warning: slope.height is 40000 m high: is that meant?'
 expect_silence err
 delabole check good.toml --set slope.height='40 km'
@@ -132,7 +133,7 @@ expect_status 0
 expect_error ': is factor_of_safty an output of the model? (did you mean factor_of_safety?)'
 
 title "run: a slope whose factor of safety is infinite"
-delabole run good.toml --set failure_plane.dip='0 deg' --set water.water_depth='0 m' --out level
+delabole run good.toml --set failure_plane.dip='0 deg' --set water.water_depth='0 m' --out level --no-report
 if [[ $status == 0 ]]; then
     expect_only_numbers level
     expect "said in a word" contains level/result.json '"infinite"'
@@ -169,7 +170,7 @@ done
 delabole grid good.toml --vary "water.water_dept=0 m:4 m"
 expect_status 3
 expect_error 'vary: water.water_dept: is not an input of this case (did you mean water.water_depth?)'
-delabole grid "$source_folder/cases/relaxation/single_block.toml" --vary settings.stiffness_ratio=1e3,1e6 --output critical_tilt --out keys
+delabole grid "$source_folder/cases/relaxation/single_block.toml" --vary settings.stiffness_ratio=1e3,1e6 --output critical_tilt --out keys --no-report
 expect_status 0
 expect "a key that is no input" contains keys/grid.csv 'settings.stiffness_ratio,critical_tilt_deg'
 delabole grid good.toml --vary "water.water_depth=0 m:4 m:3" --vary "water.water_depth=0 m:4 m:3"
@@ -263,7 +264,7 @@ expect "some on the front" grep -q ',yes,' results/single_block_trade/trade.csv
 
 title "trade without an expected value takes the finest setting for it, and says so"
 sed '/^\[\[expect\]\]/,$d' "$source_folder/cases/relaxation/single_block.toml" >unexpected.toml
-delabole trade unexpected.toml --set 'critical.tolerance=0.1 deg'
+delabole trade unexpected.toml --set 'critical.tolerance=0.1 deg' --no-report
 expect_status 0
 expect_output 'what the finest setting found, for want of an [[expect]] of critical_tilt'
 
@@ -297,14 +298,14 @@ expect "resolved" contains set/resolved.toml 'water_depth = "2 m"'
 expect "the result differs" test "$(json_value set/result.json factor_of_safety)" != \
     "$(json_value results/good/result.json factor_of_safety)"
 sed 's/water_depth = "3 m"/water_depth = "2 m"/;s/37 deg/40 deg/' good.toml >edited.toml
-delabole run edited.toml --out edited
+delabole run edited.toml --out edited --no-report
 for key in factor_of_safety case_hash weight_kN_per_m; do
     expect "the same $key as of the edited case" test "$(json_value set/result.json $key)" == \
         "$(json_value edited/result.json $key)"
 done
 
 title "--seed is recorded and replaces that of the case"
-delabole fit good_fit.toml --seed 12345 --out seeded --quiet
+delabole fit good_fit.toml --seed 12345 --out seeded --quiet --no-report
 expect_status 0
 expect "recorded" test "$(json_value seeded/result.json seed)" == 12345
 
@@ -340,7 +341,7 @@ for arguments in "run good.toml --out json" "fit good_fit.toml --out json" "repr
     expect "JSON" is_json printed.json
     expect "the same as in the file" cmp printed.json json/result.json
     # shellcheck disable=SC2086
-    delabole $arguments --json --quiet
+    delabole $arguments --json --quiet --no-report
     expect "JSON when quiet, too" is_json "$scratch/out"
 done
 for arguments in "check good.toml good_fit.toml" "show good.toml" "verify $source_folder/cases/stepped_base"; do
@@ -368,7 +369,7 @@ for model in plane_failure stepped_base single_block block_row tilted_column kin
     expect "25 lines at most" test "$(wc -l <"$model.toml")" -le 25
     delabole check "$model.toml"
     expect_status 0
-    delabole run "$model.toml" --out "result_$model"
+    delabole run "$model.toml" --out "result_$model" --no-report
     expect_status 0
     delabole init "$model" --full --out "full_$model.toml"
     expect_status 0

@@ -71,7 +71,7 @@ done
 title "fit with one thread and with two"
 for threads in 1 2; do
     delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --set fit.posterior.chains=2 --set fit.posterior.draws=400 \
-        --mechanism critical_sliding --mechanism stepped_sliding --threads "$threads" --out "threads$threads" --quiet
+        --mechanism critical_sliding --mechanism stepped_sliding --threads "$threads" --out "threads$threads" --quiet --no-report
     expect_status 0
 done
 same_but_for '"threads": ' threads1/result.json threads2/result.json
@@ -83,7 +83,7 @@ done
 title "trade with one thread and with two"
 for threads in 1 2; do
     delabole trade "$source_folder/cases/relaxation/single_block.toml" --set 'critical.tolerance=0.1 deg' \
-        --threads "$threads" --out "trade$threads" --quiet
+        --threads "$threads" --out "trade$threads" --quiet --no-report
     expect_status 0
 done
 same_but_for '"threads": ' trade1/result.json trade2/result.json
@@ -92,18 +92,18 @@ expect "the table is the same" cmp <(sed 's/,[^,]*$//' trade1/trade.csv) <(sed '
 
 title "the same seed twice, then the case's own given as an option"
 for round in 1 2; do
-    delabole fit good_fit.toml --seed 11 --out "seed$round" --quiet
+    delabole fit good_fit.toml --seed 11 --out "seed$round" --quiet --no-report
     expect_status 0
 done
 same_result seed1/result.json seed2/result.json
-delabole fit good_fit.toml --seed 7 --out seed7 --quiet
+delabole fit good_fit.toml --seed 7 --out seed7 --quiet --no-report
 same_but_for '"seed": ' fit.first/result.json seed7/result.json
 
 title "the hash tells cases apart and does not mind how they are written"
-delabole run good.toml --set 'slope.height=12000 mm' --out units --quiet
+delabole run good.toml --set 'slope.height=12000 mm' --out units --quiet --no-report
 expect "other units, same hash" test "$(json_value units/result.json case_hash)" == \
     "$(json_value run.first/result.json case_hash)"
-delabole run good.toml --set 'slope.height=12.001 m' --out other --quiet
+delabole run good.toml --set 'slope.height=12.001 m' --out other --quiet --no-report
 expect "other height, other hash" test "$(json_value other/result.json case_hash)" != \
     "$(json_value run.first/result.json case_hash)"
 
