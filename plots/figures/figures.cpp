@@ -210,11 +210,11 @@ Figure failure_locus_figure(const FailureLoci& data) {
                 Line{.points = {{left, bottom}, {right, upper}}, .legend = range.legend, .colour = colour, .width = 5});
         }
     }
-    add_labelled(std::move(lines), figure);
-    if (given) {
+    if (given) {  // before the labels, which keep off it
         figure.series.emplace_back(
             Points{.points = {*given}, .legend = "as given", .marker = Marker::circle, .size = 1.8});
     }
+    add_labelled(std::move(lines), figure);
     return figure;
 }
 
