@@ -211,9 +211,13 @@ bool agrees(PrintedChange printed, PrintedChange found, const std::vector<double
 
 void add_trend(const PrintedTrend& printed, const Variation& series, Reproduction& result) {
     const bool of_columns = printed.response == "failed_columns";
-    std::vector<double> values = means_of(series, of_columns ? &Response::failed_columns : &Response::surface_angle);
-    if (!of_columns) {
-        std::ranges::transform(values, values.begin(), [](double angle) { return angle / degrees(1); });
+    const auto response = of_columns ? &Response::failed_columns : &Response::surface_angle;
+    const double unit = of_columns ? 1 : degrees(1);
+    std::vector<double> values = means_of(series, response);
+    std::ranges::transform(values, values.begin(), [&](double value) { return value / unit; });
+    double variance = 0;  // between slopes of one geometry, the mean over the geometries
+    for (const std::vector<Response>& slopes : series.response) {
+        variance += std::pow(spread_of(slopes, response).deviation / unit, 2) / points;
     }
     const RankCorrelation rank = rank_correlation(series.value, values);
     const PrintedChange change = change_of(values, rank, of_columns ? 0.1 : 2);
@@ -228,6 +232,10 @@ void add_trend(const PrintedTrend& printed, const Variation& series, Reproductio
          "",
          statement(met) + ": rank correlation " + human_number(rank.value, 2) + ", significance " +
              human_number(rank.significance, 2) +
+             (met ? ""
+                  : "; the means differ by " + human_number(*greatest - *least, 2) +
+                        ", slopes whose joints run elsewhere by " + human_number(std::sqrt(variance), 2) +
+                        " (standard deviation)") +
              (printed.doubt.empty() ? "" : "; in the thesis too: " + printed.doubt)});
 }
 
