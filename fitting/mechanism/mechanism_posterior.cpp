@@ -125,7 +125,7 @@ EvidenceSettings evidence_settings(const FitProblem& problem) {
 }
 
 // Draws of the posterior as given guide the sampling: of the 21 evidences of the failure of 1967, 16 had smaller
-// errors by them than by short chains of their own, which took two fifths of the time of the fit.
+// errors by them than by short chains of their own, which took a sixth of the time of the fit.
 Evidence evidence_of_variant(const FitProblem& problem, std::size_t mechanism, const CostlyRuns* costly,
                              EvidenceVariant variant, const std::vector<Draw>& draws, ProgressMeter& progress,
                              StopFlag stop) {
