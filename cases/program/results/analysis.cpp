@@ -266,16 +266,12 @@ std::string failure_of(const CaseModel& model) {
         const SceneFault fault = check(*study);
         return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
     }
-    // What is asked for beside the result does not decide whether there is one, and may take a hundred times as long.
+    // Inputs that are solved for do not decide whether there is a result, and may take a hundred times as long.
     CaseModel bare = model;
     std::visit(
         [](auto& study) {
             if constexpr (requires { study.required; }) {
                 study.required.clear();
-            }
-            if constexpr (requires { study.required_cable; }) {
-                study.required_cable.clear();
-                study.linear_programming_bound.reset();
             }
         },
         bare);
