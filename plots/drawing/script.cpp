@@ -328,7 +328,15 @@ class ScriptWriter {
 
     // Breaks the title into lines of about equal length; the width of the figure sets their number.
     std::string title_lines() const {
-        const auto across = static_cast<std::size_t>(std::max(10.0, (figure_.width - 60) / mean_letter_width));
+        std::size_t names = 0;  // letters to the left of the plot, on which the title is centred
+        for (const auto& [place, name] : figure_.y.ticks) {
+            std::istringstream lines(name);
+            for (std::string line; std::getline(lines, line);) {
+                names = std::max(names, letter_count(line));
+            }
+        }
+        const auto across = static_cast<std::size_t>(
+            std::max(10.0, (figure_.width - 60) / mean_letter_width - static_cast<double>(names)));
         const std::size_t letters = letter_count(figure_.title);
         const std::size_t lines = letters / across + 1;
         return wrapped(figure_.title, lines == 1 ? across : std::min(across, letters / lines + 6));
