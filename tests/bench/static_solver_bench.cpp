@@ -2,7 +2,7 @@
 // Delabole (cases/thesis/chapter_2/delabole_1500_blocks.toml), which stand at 50 deg of friction, and the factor of
 // safety of columns that slide and lean.
 //
-// With --figure=FOLDER the measured times are drawn over the numbers of blocks, beside the growth that is wanted.
+// The option --figure=FOLDER draws the measured times over the number of blocks, beside a growth as N^1.4.
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "plots/drawing/figure.hpp"
 #include "plots/drawing/text.hpp"

@@ -12,7 +12,7 @@ namespace delabole {
 
 namespace {
 
-// In `verify` the source has a column of its own; here it goes without saying.
+// Leaves out the source of what is met or missed, which `verify` prints in a column of its own: here it is the thesis.
 PrintedRow printed_row_of(const Comparison& comparison) {
     const bool met = comparison.verdict == Verdict::met;
     const bool told = met && comparison.expected == "not printed";

@@ -51,7 +51,7 @@ struct ScreenColumn {
     std::size_t width;  // characters
 };
 
-// With two blanks between columns a line has 118 characters.
+// The widths add up to lines of 118 characters, two blanks between columns included.
 constexpr std::array<ScreenColumn, 5> screen_columns{
     {{"quantity", 46}, {"printed", 22}, {"computed", 22}, {"difference", 13}, {"met", 7}}};
 

@@ -347,7 +347,7 @@ TEST(LiveSession, AMotionEndsInTheWordsOfItsRun) {
         EXPECT_EQ(said["over"], false);
         EXPECT_TRUE(head.sentences.front().starts_with(friction < 40 ? "Failed: " : "Stands: ")) << said;
     }
-    // With less friction the motion continues from rest, and the verdict is found anew.
+    // The motion continues from rest if the friction is reduced, and the session decides again how it ends.
     session.change_motion({{"values", {{"scene.joint[1].friction_angle", 12.0}}}});
     EXPECT_EQ(session.verdict_of_motion({}), Json::object());
     for (int turn = 0; turn < 1000 && session.verdict_of_motion({}).empty(); ++turn) {

@@ -171,7 +171,7 @@ TEST(RelaxationCase, WaterOfAJointActsOnBothItsFaces) {
     EXPECT_EQ(pressure[1].block, 1U);
     EXPECT_EQ(pressure[1].edge, 3U);
     EXPECT_DOUBLE_EQ(pressure[1].at_second, 20e3);
-    // Of the plane, which begins three widths before the row, only the part under the second block is wet.
+    // The plane begins three widths before the row; water acts only on its part under the second block.
     EXPECT_EQ(pressure[3].block, 2U);
     ASSERT_TRUE(pressure[3].part);
     EXPECT_DOUBLE_EQ(pressure[3].part->end - pressure[3].part->begin, 1);

@@ -85,8 +85,9 @@ TEST(Delabole1967, ColumnsAndWedgeLeaveNearlyTheSurfaceObserved) {
     EXPECT_TRUE(leaves_unexplained(fit, "lower_steps is 1"));
 }
 
-// With the face held at 70 deg, as before, the critical plane lies 3.8 m off the observed profile: the fit depends on
-// the angle of the face, which is the only one printed of this slope and is called undefined.
+// The fit depends on the angle of the face. Held at 70 deg, the only angle printed for this slope, it leaves the
+// critical plane 3.8 m off the observed profile; but the thesis calls that angle undefined, and the fit finds a flatter
+// face.
 TEST(Delabole1967, CriticalSlidingLeavesTheSurfaceObservedBehindAFlatterFace) {
     const MechanismFit& fit = mechanism("critical_sliding");
     ASSERT_EQ(fit.status, FitStatus::converged);

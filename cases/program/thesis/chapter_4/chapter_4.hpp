@@ -30,7 +30,7 @@ double tangent(double angle_in_degrees);
 
 double in_degrees(double tangent_of_angle);
 
-// In degrees; NaN, a gap in a curve, if the tangent does not give a tilt between 0 and 90 deg.
+// Returns the tilt in degrees. If it does not lie between 0 and 90 deg, returns NaN, which leaves a gap in a curve.
 double tilt_or_gap(double tangent_of_tilt);
 
 // The curve of a function in `steps` equal steps.

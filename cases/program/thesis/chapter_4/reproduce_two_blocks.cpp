@@ -116,7 +116,7 @@ struct SignsOfInteraction {
     int backward_compressive = 0;
 };
 
-// In this grid no two angles add up to 90 deg, and none is the angle at which a block topples alone.
+// The grid avoids pairs of angles that add up to 90 deg, and the angle at which a block topples alone.
 SignsOfInteraction signs_of_interaction() {
     constexpr double rounding = 1e-12;
     SignsOfInteraction signs;
