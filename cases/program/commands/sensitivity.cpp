@@ -42,7 +42,7 @@ void append_slope(const CaseModel& model, const ResultFolder& folder, Report& re
         return;
     }
     const CaseAnswer answer = analyse_case(model);
-    if (!named_outputs(model, answer).failure.empty()) {
+    if (!std::visit([](const auto& own) { return failure_in(own); }, answer).empty()) {
         return;
     }
     std::vector<ReportBlock> blocks{Heading{"The slope with the values of the case"}};
