@@ -406,9 +406,12 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
         } else {
             memory.broken = !(query_.first && contact.gap <= closed * shortest_);
             const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
-            memory.beneath =
-                query_.first ? beside(bodies_, contact, shortest_)
-                             : law.rival == 0 && at.gap < -came_over * query_.margin && !came_over_edge(contact, at);
+            // Far deeper than the blocks overlap, the corner has not come over this edge: it lies on the other side of
+            // a thin block.
+            const bool behind_block = at.gap < found.distance - at_tip * shortest_;
+            memory.beneath = query_.first ? beside(bodies_, contact, shortest_)
+                                          : behind_block || (law.rival == 0 && at.gap < -came_over * query_.margin &&
+                                                             !came_over_edge(contact, at));
             memory.touching = !memory.broken && !memory.beneath && (law.tension > 0 || contact.gap < 0);
         }
     }

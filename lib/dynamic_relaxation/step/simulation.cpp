@@ -165,8 +165,9 @@ void Simulation::begin(JointsAtStart joints) {
         memory.friction = 0;  // edges exchanged at corners while springs were preloaded
         memory.slip = crept ? memory.slip : 0;
         state_.contacts.memory.set(index, memory);
-        if (!is_preloaded(settings_.start) && contact.gap < 0) {
-            memory.touching = true;  // initial geometry with an overlap: its spring is compressed before the first step
+        // Initial geometry with an overlap: the springs that bear in the first step are compressed before it.
+        if (!is_preloaded(settings_.start) && contact.gap < 0 && !memory.beneath && !memory.yields) {
+            memory.touching = true;
         }
         state_.energy_balance.elastic_at_start +=
             elastic_energy(state_.contacts.law_of(contact), contact, memory, state_.motion[contact.block],

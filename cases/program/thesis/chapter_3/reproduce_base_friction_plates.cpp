@@ -119,9 +119,11 @@ Figure plate_figure(const std::string& plate, const std::vector<const BaseFricti
             std::ranges::for_each(model.saw_tooth, [&](Point& corner) { corner += shift; });
             paths.emplace_back(Line{.points = model.saw_tooth, .legend = "saw-tooth joint", .colour = Colour::blue});
         }
-        labels.push_back({.at = Point(offset + model.frame.x.size() / 2, model.frame.y.highest),
+        // A caption may be wider than its model: it ends with the drawing, not beyond it.
+        const bool last = state == models.back();
+        labels.push_back({.at = Point(last ? offset + model.frame.x.size() : offset, model.frame.y.highest),
                           .text = caption_of(*state),
-                          .align = Label::Align::centre,
+                          .align = last ? Label::Align::right : Label::Align::left,
                           .raise = 0.8,
                           .boxed = false,
                           .size = 0.8});

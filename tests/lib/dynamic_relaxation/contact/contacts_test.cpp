@@ -49,6 +49,39 @@ TEST(Contacts, CornerBearsOnTheSideOfATipThatItIsLessDeepInWhicheverEndIsNearer)
     }
 }
 
+// A flat triangle on a block that ends in the triangle's obtuse corner, as where a joint daylights in a face at an
+// acute angle. As the triangle slides and turns, the block's corner stays on that side of it.
+RelaxationScene flat_triangle() {
+    RelaxationScene scene;
+    scene.block.push_back({{{112.3, 194.5}, {133.0, 219.1}, {144.0, 249.4}}, density});
+    scene.block.push_back(fixed_block({{0, 0}, {94.0, 112.0}, {133.0, 219.1}, {112.3, 194.5}}));
+    scene.material = {joint(1e9, degrees(30))};
+    return scene;
+}
+
+TEST(Contacts, BearOnNoEdgeOnTheOtherSideOfAThinBlock) {
+    const RelaxationScene scene = flat_triangle();
+    const Bodies bodies = make_bodies(scene);
+    for (const double slides : {0.0, 0.005, 0.02, 0.05}) {
+        for (const double turns : {-0.02, -0.005, -1e-4, 0.0, 1e-4, 0.005, 0.02}) {
+            std::vector<Motion> motion(bodies.size());
+            const PlanePoint<> down = PlanePoint<>(-20.7, -24.6).normalized();
+            motion[0].x = slides * down.x();
+            motion[0].y = slides * down.y();
+            motion[0].set_angle(turns);
+            const ContactList list = find_contacts(scene, bodies, motion, {0, 0}, {0.1, 0.2, false, {}}, {});
+            for (std::size_t index = 0; index < list.contact.size(); ++index) {
+                const RelaxationContact contact = list.contact[index];
+                const double gap = locate(contact, motion[contact.block], motion[contact.other]).gap;
+                // A turn by 0.02 lets the triangle, 30 m from its centroid to its tip, overlap by 0.6 m; it is 5.6 m
+                // thick.
+                EXPECT_TRUE(gap > -1 || list.memory[index].beneath)
+                    << slides << " m, " << turns << ": corner " << contact.corner << " on edge " << contact.edge;
+            }
+        }
+    }
+}
+
 // A corner that begins to bear, half its weight on the twin's, on a joint with cohesion.
 double shear_energy_of_new_contact(const PlanePoint<>& velocity) {
     RelaxationContact contact{};
