@@ -82,7 +82,7 @@ class Description {
             add_inlined<Member>(owner, optional);
             return;
         }
-        FieldSchema made{std::string(field.info.key), std::string(field.info.meaning)};
+        FieldSchema made{std::string(field.info.key), text_of(field.info)};
         made.optional = optional;
         describe<Member>(made, field.info);
         // Two alternatives of a choice may have the same key, which then occurs once.

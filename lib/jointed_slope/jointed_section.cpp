@@ -15,7 +15,6 @@ constexpr double least_snap = 4e-6;  // of the section's size: keeps the roundin
 constexpr double snap_of_spacing = 0.002;
 constexpr double snap_of_section = 1e-4;
 constexpr double greatest_snap_of_spacing = 0.25;
-constexpr double standard_sliver_share = 0.02;
 
 MeshIndex index_of(const std::vector<std::string>& names, const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -210,7 +209,7 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
     cut_as_far_as_others(work, section.cut);
     rejoin_intact(work.mesh);
     section.typical_area = typical_area(work);
-    merge_slivers(work, geometry.sliver_share.value_or(standard_sliver_share), section);
+    merge_slivers(work, geometry.sliver_share.value_or(SlopeGeometry::standard_sliver_share), section);
     collect(work, section);
     return section;
 }

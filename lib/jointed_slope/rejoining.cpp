@@ -12,7 +12,7 @@ namespace {
 // A sliver that cannot be merged is taken away as crushed if it is below both limits, which are shares of the median
 // block's area and size. Blocks that rested on so small a sliver still rest on others. If it were kept, it would slip
 // out by itself before the slope fails.
-constexpr double greatest_crushed_share = 0.02;
+constexpr double greatest_crushed_share = SlopeGeometry::standard_sliver_share;
 constexpr double greatest_crushed_length = 0.5;
 
 bool same_rock(const SectionMesh& mesh, MeshIndex edge) {

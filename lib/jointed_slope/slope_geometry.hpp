@@ -120,6 +120,7 @@ struct SlopeGeometry {
     std::optional<std::string> intact_joint;
     std::optional<double> snap_distance;
     std::optional<double> sliver_share;
+    static constexpr double standard_sliver_share = 0.02;
     std::vector<SectionPoint> outline;
     std::vector<SlopeCut> cut;
     static constexpr auto fields() {
@@ -132,10 +133,12 @@ struct SlopeGeometry {
             number<&G::snap_distance>(
                 Dimension::length, more_than(0),
                 "a cut this near to a corner runs through it; absent: 1/500 of the least spacing"),
-            number<&G::sliver_share>(
-                right_open(0, 1),
-                "of the median block's area, or of its size in width: less is a sliver, merged where that leaves a "
-                "convex block and locks no joint, else taken away if below 0.02; absent: 0.02"),
+            absent_is(standard_sliver_share,
+                      number<&G::sliver_share>(
+                          right_open(0, 1),
+                          "of the median block's area, or of its size in width: less is a sliver, merged where that "
+                          "leaves a convex block and locks no joint, else taken away where it is below the share that "
+                          "holds without this key")),
             section<&G::outline>("corners of the section, either way round"),
             section<&G::cut>("joints, faults and boundaries in the order of cutting")};
     }

@@ -52,10 +52,11 @@ Poles poles_of(const Kinematics& model) {
     Poles poles{measured_planes(model), {}};
     for (const PoleSurvey& survey : model.poles) {
         for (const Orientation& plane : survey.plane) {
-            poles.weights.push_back(survey.scanline
-                                        ? terzaghi_weight(plane, {survey.scanline->plunge, survey.scanline->trend},
-                                                          survey.scanline->least_angle.value_or(customary_least_angle))
-                                        : 1.0);
+            poles.weights.push_back(
+                survey.scanline
+                    ? terzaghi_weight(plane, {survey.scanline->plunge, survey.scanline->trend},
+                                      survey.scanline->least_angle.value_or(Scanline::customary_least_angle))
+                    : 1.0);
         }
     }
     return poles;

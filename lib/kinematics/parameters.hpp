@@ -58,12 +58,15 @@ struct Scanline {
     double plunge;
     double trend;
     std::optional<double> least_angle;
+    // With a smaller one a few planes would outweigh all others.
+    static constexpr double customary_least_angle = degrees(15);
     static constexpr auto fields() {
         return std::tuple{
             number<&Scanline::plunge>(Dimension::angle, within(0, degrees(90)), "plunge of the line"),
             number<&Scanline::trend>(Dimension::angle, within(0, degrees(360)), "trend of the line"),
-            number<&Scanline::least_angle>(Dimension::angle, left_open(0, degrees(90)),
-                                           "angle to the line below which a plane weighs no more; absent: 15 deg")};
+            absent_is(customary_least_angle,
+                      number<&Scanline::least_angle>(Dimension::angle, left_open(0, degrees(90)),
+                                                     "angle to the line below which a plane weighs no more"))};
     }
 };
 
@@ -118,8 +121,10 @@ struct OrientationSampling {
     static constexpr auto fields() {
         using S = OrientationSampling;
         return std::tuple{
-            number<&S::sample_count>(within(1, 1e6), "orientations drawn from each set, a whole number; absent: 4000"),
-            number<&S::seed>(within(0, 9007199254740992.0), "seed of the samples, a whole number; absent: 1967")};
+            absent_is(default_sample_count,
+                      number<&S::sample_count>(within(1, 1e6), "orientations drawn from each set, a whole number")),
+            absent_is(default_seed,
+                      number<&S::seed>(within(0, 9007199254740992.0), "seed of the samples, a whole number"))};
     }
 };
 

@@ -19,8 +19,6 @@ namespace delabole {
 // A line meets a plane at an angle d with a frequency proportional to sin d, so that a plane met counts for 1 / sin d.
 // Planes nearly parallel to the line would outweigh all others: a smaller d than `least_angle` is replaced by it.
 double terzaghi_weight(const Orientation& plane, const LineOrientation& line, double least_angle);
-// Customary value: larger weights would depend on too few planes.
-inline constexpr double customary_least_angle = degrees(15);
 
 // Statistics of poles turned to the side of their principal axis, with weights w scaled to the sum N. R is the length
 // of their resultant.

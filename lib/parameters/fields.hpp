@@ -17,8 +17,10 @@
 //
 // A result may also describe a function of its members without arguments: its return value is the value.
 //
-// with_default(field) is a field that keeps its in-class default if it is absent. refers_to(what, field) is a text that
-// names something: the numbers of Dimension::named behind it have dimension and range of the named input or output.
+// with_default(field) is a field that keeps its in-class default if it is absent. absent_is(value, field) is an
+// optional number whose absence stands for that value: where texts tell it, they take it from there (field_text.hpp).
+// refers_to(what, field) is a text that names something: the numbers of Dimension::named behind it have dimension and
+// range of the named input or output.
 #pragma once
 
 #include <array>
@@ -160,6 +162,7 @@ struct FieldInfo {
     Interval range = {};  // unbounded for Dimension::named, which has the range of what it names
     bool has_default = false;
     NameOf name_of = NameOf::nothing;
+    std::optional<double> absent = {};  // SI
 };
 
 template <class Owner, class Member>
@@ -188,6 +191,12 @@ constexpr Field<Owner, Member> inlined(Member Owner::*member, std::string_view m
 template <class Owner, class Member>
 constexpr Field<Owner, Member> with_default(Field<Owner, Member> field) {
     field.info.has_default = true;
+    return field;
+}
+
+template <class Owner, class Member>
+constexpr Field<Owner, std::optional<Member>> absent_is(double value, Field<Owner, std::optional<Member>> field) {
+    field.info.absent = value;
     return field;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/polyline.hpp"
+#include "parameters/field_text.hpp"
 #include "parameters/fields.hpp"
 
 #include <algorithm>
@@ -83,7 +84,7 @@ template <Described Parameters>
 std::vector<Quantity> inputs_of(const Parameters& parameters) {
     std::vector<Quantity> inputs;
     for_each_named_number(parameters, [&](const std::string& path, const FieldInfo& info, double value) {
-        inputs.push_back({path, info.dimension, std::string(info.meaning), info.range, value});
+        inputs.push_back({path, info.dimension, text_of(info), info.range, value});
     });
     return inputs;
 }

@@ -129,11 +129,8 @@ std::vector<std::string> model_names() {
 std::vector<Quantity> named_inputs(const CaseModel& model) {
     std::vector<Quantity> inputs;
     const auto add = [&](const std::string& path, const FieldInfo& info, double value) {
-        inputs.push_back({.name = path,
-                          .dimension = info.dimension,
-                          .meaning = std::string(info.meaning),
-                          .range = info.range,
-                          .value = value});
+        inputs.push_back(
+            {.name = path, .dimension = info.dimension, .meaning = text_of(info), .range = info.range, .value = value});
     };
     std::visit(
         [&](const auto& parameters) {

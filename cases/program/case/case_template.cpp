@@ -111,7 +111,7 @@ std::string explanation_of(const FieldInfo& info) {
     } else if constexpr (std::is_enum_v<Member>) {
         allowed = choices(detail::enum_words<Member>());
     }
-    return std::string(info.meaning) + (allowed.empty() ? "" : "; " + allowed);
+    return text_of(info) + (allowed.empty() ? "" : "; " + allowed);
 }
 
 // Keys that the case leaves out appear as comments with an example.

@@ -23,6 +23,7 @@ struct SweptInput {
     std::optional<double> from;     // first of the equally spaced values
     std::optional<double> to;
     std::optional<std::int64_t> points;
+    static constexpr std::int64_t standard_points = 101;
     std::vector<double> listed;  // replaces from, to and points
     std::string axis;            // title of its axis with the unit; empty: its name and display unit
     std::string unit;            // unit of the axis; empty: the display unit
@@ -40,7 +41,7 @@ struct SweptInput {
             refers_to(NameOf::input, section<&I::also>("further inputs that take the same value")),
             number("from", &I::from, named, any_number(), "first value of the input"),
             number("to", &I::to, named, any_number(), "last value of the input"),
-            number<&I::points>(within(2, 10001), "number of its values; absent: 101"),
+            absent_is(standard_points, number<&I::points>(within(2, 10001), "number of its values")),
             number("values", &I::listed, named, any_number(), "its values, in place of from, to and points"),
             with_default(section<&I::axis>("title of its axis, with the unit")),
             with_default(section<&I::unit>("in which the axis counts"))};

@@ -47,7 +47,7 @@ bool find_values(Reading& reading, const std::string& path, const ModelNames& na
     } else if (!(*swept.to > *swept.from)) {
         reading.complain_at(path + ".to", "must be more than from");
     } else {
-        swept.points = swept.points.value_or(101);
+        swept.points = swept.points.value_or(SweptInput::standard_points);
         swept.values = spaced_values(*swept.from, *swept.to, *swept.points);
     }
     return swept.values.size() > 1;

@@ -249,7 +249,7 @@ void read_node(Section& section, const Node& node, const std::string& path, cons
 
 template <class Member>
 std::string requirement(const FieldInfo& info) {
-    std::string text(info.meaning);
+    std::string text = text_of(info);
     if constexpr (NumberType<Member>) {
         const std::string range = readable_range(info.range, info.dimension);
         text += " (" + (range.empty() ? std::string(dimension_words(info.dimension).phrase) : range) + ")";

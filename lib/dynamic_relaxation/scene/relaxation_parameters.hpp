@@ -5,6 +5,7 @@
 // units and radians.
 #pragma once
 
+#include "dynamic_relaxation/scene/scene.hpp"
 #include "dynamic_relaxation/scene/slope_parameters.hpp"
 #include "jointed_slope/slope_geometry.hpp"
 #include "parameters/fields.hpp"
@@ -448,7 +449,8 @@ struct Relaxation {
     static constexpr auto fields() {
         using R = Relaxation;
         return std::tuple{
-            number<&R::gravity>(Dimension::acceleration, at_least(0), "acceleration; absent: 9.80665 m/s2"),
+            absent_is(Gravity{}.acceleration,
+                      number<&R::gravity>(Dimension::acceleration, at_least(0), "acceleration")),
             section<&R::shaking_file>("CSV file with the record of shaking, beside the case, columns time_s, "
                                       "horizontal_m_per_s2, vertical_m_per_s2; or shaking"),
             section<&R::scene>("the blocks and their joints"),

@@ -18,11 +18,33 @@ constexpr bool is_preloaded(RelaxationStart start) {
     return start == RelaxationStart::preloaded || start == RelaxationStart::stepped;
 }
 
+enum class RelaxationQuality { draft, standard, reference };
+
+// What a quality sets together. The values were chosen with `delabole trade`: with a preloaded start the critical value
+// depends on the stiffness alone, and steps of 0.1 to 0.6 of the stable one give the same bracket.
+struct RelaxationAccuracy {
+    double step_fraction;
+    double stiffness_ratio;
+    double equilibrium_ratio;
+};
+
+constexpr RelaxationAccuracy accuracy_of(RelaxationQuality quality) {
+    switch (quality) {
+    case RelaxationQuality::draft:
+        return {0.8, 3e5, 1e-5};
+    case RelaxationQuality::reference:
+        return {0.4, 1e8, 1e-7};
+    case RelaxationQuality::standard:
+        break;
+    }
+    return {0.6, 1e6, 1e-6};
+}
+
 struct RelaxationSettings {
     // Fraction of the greatest stable step of the blocks on springs and dashpots, 0.01 to 0.8: from 0.9 on standing
     // blocks vibrate for ever. Blocks that collide get at most 0.3, and with local damping the fraction is at most
     // 0.96 / (1 + local damping).
-    double step_fraction = 0.6;
+    double step_fraction = accuracy_of(RelaxationQuality::standard).step_fraction;
     std::optional<double> time_step{};  // s; replaces the fraction, which still limits it: a longer step is divided
 
     double viscous_damping = 0.2;  // contact dashpots, as a fraction of critical damping; 0 to 2
@@ -39,7 +61,7 @@ struct RelaxationSettings {
 
     // Equilibrium: the greatest unbalanced force on a block, as a share of its weight, is below this value, and the
     // kinetic energy does not grow; on a belt, also the speeds are below this share of the belt's.
-    double equilibrium_ratio = 1e-6;
+    double equilibrium_ratio = accuracy_of(RelaxationQuality::standard).equilibrium_ratio;
     // rad; a larger rotation after which no equilibrium is found is the onset of failure. A run that is to stop there
     // goes on up to twice as far where motion slows down, because blocks that fall back have not failed.
     double onset_rotation = 0.01;

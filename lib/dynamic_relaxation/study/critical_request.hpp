@@ -37,6 +37,15 @@ enum class PathChoice { one, all };
 
 inline constexpr std::string_view paths_meaning = "all: the value on each path and their spread, too; absent: one";
 
+// What a search does that the case leaves to it: the width of the bracket in the end, rad or a ratio, and the range of
+// factors.
+inline constexpr double standard_angle_tolerance = degrees(0.005);
+inline constexpr double standard_ratio_tolerance = 0.005;
+inline constexpr double least_ratio = 0.1;
+inline constexpr double greatest_reduction = 10;
+inline constexpr double greatest_weight = 100;
+inline constexpr std::string_view tolerance_meaning = "width of the bracket in the end";
+
 // Search for the constant tilt at which the blocks begin to fail.
 struct TiltSearch {
     double lower;
@@ -52,8 +61,9 @@ struct TiltSearch {
             number<&TiltSearch::lower>(Dimension::angle, between(degrees(-90), degrees(90)),
                                        "least tilt tried, which is constant whatever [tilting] does"),
             number<&TiltSearch::upper>(Dimension::angle, between(degrees(-90), degrees(90)), "greatest tilt tried"),
-            number<&TiltSearch::tolerance>(Dimension::angle, within(degrees(1e-9), degrees(10)),
-                                           "width of the bracket in the end; absent: 0.005 deg"),
+            absent_is(standard_angle_tolerance,
+                      number<&TiltSearch::tolerance>(Dimension::angle, within(degrees(1e-9), degrees(10)),
+                                                     tolerance_meaning)),
             section<&TiltSearch::path>(
                 "how the blocks come to each tilt; absent: stages where the scene has some, else by settings.start"),
             section<&TiltSearch::paths>(paths_meaning)};
@@ -76,8 +86,8 @@ struct FrictionSearch {
             number<&F::lower>(Dimension::angle, right_open(0, degrees(90)),
                               "least friction angle tried, of every joint, peak and residual"),
             number<&F::upper>(Dimension::angle, right_open(0, degrees(90)), "greatest friction angle tried"),
-            number<&F::tolerance>(Dimension::angle, within(degrees(1e-9), degrees(10)),
-                                  "width of the bracket in the end; absent: 0.005 deg"),
+            absent_is(standard_angle_tolerance,
+                      number<&F::tolerance>(Dimension::angle, within(degrees(1e-9), degrees(10)), tolerance_meaning)),
             section<&F::path>(
                 "how the blocks come to each angle; absent: stages where the scene has some, else by settings.start"),
             section<&F::paths>(paths_meaning)};
@@ -97,14 +107,15 @@ struct ReductionSearch {
     static constexpr std::string_view kind = "strength_reduction";
     static constexpr auto fields() {
         using R = ReductionSearch;
-        return std::tuple{number<&R::lower>(more_than(0), "least factor tried; absent: 0.1"),
-                          number<&R::upper>(more_than(0), "greatest factor tried; absent: 10"),
-                          number<&R::tolerance>(within(1e-9, 1), "width of the bracket in the end; absent: 0.005"),
-                          section<&R::joints>(
-                              "names of the joints whose strength and bonds are divided: of a jointed slope; interface "
-                              "or base of a row or columns; numbers of blocks' joints, as texts; absent: all"),
-                          section<&R::path>("how the blocks come to each factor; absent: consolidated"),
-                          section<&R::paths>(paths_meaning)};
+        return std::tuple{
+            absent_is(least_ratio, number<&R::lower>(more_than(0), "least factor tried")),
+            absent_is(greatest_reduction, number<&R::upper>(more_than(0), "greatest factor tried")),
+            absent_is(standard_ratio_tolerance, number<&R::tolerance>(within(1e-9, 1), tolerance_meaning)),
+            section<&R::joints>(
+                "names of the joints whose strength and bonds are divided: of a jointed slope; interface "
+                "or base of a row or columns; numbers of blocks' joints, as texts; absent: all"),
+            section<&R::path>("how the blocks come to each factor; absent: consolidated"),
+            section<&R::paths>(paths_meaning)};
     }
 };
 
@@ -121,11 +132,12 @@ struct WeightSearch {
     static constexpr std::string_view kind = "weight";
     static constexpr auto fields() {
         using W = WeightSearch;
-        return std::tuple{number<&W::lower>(more_than(0), "least factor tried; absent: 0.1"),
-                          number<&W::upper>(more_than(0), "greatest factor tried; absent: 100"),
-                          number<&W::tolerance>(within(1e-9, 1), "width of the bracket in the end; absent: 0.005"),
-                          section<&W::path>("how the blocks come to each factor; absent: consolidated"),
-                          section<&W::paths>(paths_meaning)};
+        return std::tuple{
+            absent_is(least_ratio, number<&W::lower>(more_than(0), "least factor tried")),
+            absent_is(greatest_weight, number<&W::upper>(more_than(0), "greatest factor tried")),
+            absent_is(standard_ratio_tolerance, number<&W::tolerance>(within(1e-9, 1), tolerance_meaning)),
+            section<&W::path>("how the blocks come to each factor; absent: consolidated"),
+            section<&W::paths>(paths_meaning)};
     }
 };
 

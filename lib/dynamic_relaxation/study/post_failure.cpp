@@ -69,8 +69,8 @@ class Survey {
   public:
     Survey(const MovedSlope& slope, const PostFailureRequest& request)
         : slope_(slope), bodies_(slope.bodies), area_(areas()), size_(median_size()) {
-        moved_limit_ = request.moved_share.value_or(0.25) * size_;
-        crack_limit_ = request.crack_share.value_or(0.01) * size_;
+        moved_limit_ = request.moved_share.value_or(PostFailureRequest::standard_moved_share) * size_;
+        crack_limit_ = request.crack_share.value_or(PostFailureRequest::standard_crack_share) * size_;
     }
 
     PostFailure make() {

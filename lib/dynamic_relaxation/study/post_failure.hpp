@@ -31,13 +31,18 @@ namespace delabole {
 struct PostFailureRequest {
     std::optional<double> moved_share;
     std::optional<double> crack_share;
+    static constexpr double standard_moved_share = 0.25;
+    static constexpr double standard_crack_share = 0.01;
     static constexpr auto fields() {
+        using R = PostFailureRequest;
         return std::tuple{
-            number<&PostFailureRequest::moved_share>(
-                more_than(0),
-                "movement at which half of a block counts as failed, in sizes of the median block; absent: 0.25"),
-            number<&PostFailureRequest::crack_share>(
-                more_than(0), "opening at which a joint at the crest counts as an open crack, likewise; absent: 0.01")};
+            absent_is(
+                standard_moved_share,
+                number<&R::moved_share>(
+                    more_than(0), "movement at which half of a block counts as failed, in sizes of the median block")),
+            absent_is(standard_crack_share,
+                      number<&R::crack_share>(
+                          more_than(0), "opening at which a joint at the crest counts as an open crack, likewise"))};
     }
 };
 

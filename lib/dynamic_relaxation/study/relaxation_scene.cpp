@@ -17,26 +17,9 @@ namespace delabole {
 
 namespace {
 
-constexpr double standard_stiffness_ratio = 1e6;
-
-struct Quality {
-    double step_fraction;
-    double stiffness_ratio;
-    double equilibrium_ratio;
-};
-
-Quality quality_of(const RelaxationStudy& study) {
-    const RelaxationSettings standard;
+RelaxationAccuracy accuracy_of(const RelaxationStudy& study) {
     const RelaxationNumerics numerics = study.settings.value_or(RelaxationNumerics{});
-    switch (numerics.quality.value_or(RelaxationQuality::standard)) {
-    case RelaxationQuality::draft:
-        return {0.8, 3e5, 1e-5};
-    case RelaxationQuality::reference:
-        return {0.4, 1e8, 1e-7};
-    case RelaxationQuality::standard:
-        break;
-    }
-    return {standard.step_fraction, standard_stiffness_ratio, standard.equilibrium_ratio};
+    return accuracy_of(numerics.quality.value_or(RelaxationQuality::standard));
 }
 
 // Stiffness 0 means that it follows from the stiffness ratio.
@@ -350,7 +333,7 @@ void apply_crack_opening(const RelaxationStudy& study, const RelaxationScene& sc
 }  // namespace
 
 double stiffness_ratio_of(const RelaxationStudy& study) {
-    return study.settings.value_or(RelaxationNumerics{}).stiffness_ratio.value_or(quality_of(study).stiffness_ratio);
+    return study.settings.value_or(RelaxationNumerics{}).stiffness_ratio.value_or(accuracy_of(study).stiffness_ratio);
 }
 
 std::size_t number_of_blocks(const RelaxationStudy& study) {
@@ -414,15 +397,15 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study) {
 
 RelaxationSettings relaxation_settings(const RelaxationStudy& study, const RelaxationScene& scene) {
     const RelaxationNumerics numerics = study.settings.value_or(RelaxationNumerics{});
-    const Quality quality = quality_of(study);
+    const RelaxationAccuracy accuracy = accuracy_of(study);
     RelaxationSettings settings;
     const auto take = [](auto& setting, const auto& given) {
         if (given) {
             setting = static_cast<std::remove_reference_t<decltype(setting)>>(*given);
         }
     };
-    settings.step_fraction = numerics.step_fraction.value_or(quality.step_fraction);
-    settings.equilibrium_ratio = numerics.equilibrium_ratio.value_or(quality.equilibrium_ratio);
+    settings.step_fraction = numerics.step_fraction.value_or(accuracy.step_fraction);
+    settings.equilibrium_ratio = numerics.equilibrium_ratio.value_or(accuracy.equilibrium_ratio);
     settings.time_step = numerics.time_step;
     take(settings.viscous_damping, numerics.viscous_damping);
     // Shaking leaves permanent displacements, which damping would reduce.

@@ -11,8 +11,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double standard_angle_tolerance = degrees(0.005);
-constexpr double standard_ratio_tolerance = 0.005;
 constexpr double own_ratio = 1;  // of strength or weight, as given in the case
 
 LoadingPath path_of(RelaxationStart start) {
@@ -314,9 +312,6 @@ CriticalPlan critical_plan(const RelaxationStudy& study) {
     CriticalPlan plan{};
     plan.parameter = parameter_of(request);
     plan.tolerance = plan.is_ratio() ? standard_ratio_tolerance : standard_angle_tolerance;
-    constexpr double least_ratio = 0.1;
-    constexpr double greatest_reduction = 10;
-    constexpr double greatest_weight = 100;
     std::visit(
         [&](const auto& asked) {
             using Asked = std::remove_cvref_t<decltype(asked)>;

@@ -19,11 +19,6 @@
 
 namespace delabole {
 
-// Step fraction, stiffness ratio and equilibrium ratio together: 0.8, 3e5, 1e-5; 0.6, 1e6, 1e-6; 0.4, 1e8, 1e-7. They
-// were chosen with `delabole trade`: with a preloaded start the critical value depends on the stiffness alone, and
-// steps of 0.1 to 0.6 of the stable one give the same bracket.
-enum class RelaxationQuality { draft, standard, reference };
-
 enum class RelaxationStop { equilibrium, onset, collapse, duration, rest };
 
 enum class OffOn { off, on };
@@ -56,45 +51,58 @@ struct RelaxationNumerics {
     std::optional<OffOn> corners_bear;
     static constexpr auto fields() {
         using N = RelaxationNumerics;
+        constexpr RelaxationSettings standard{};
         return std::tuple{
             section<&N::quality>("sets step_fraction, stiffness_ratio and equilibrium_ratio where they are absent"),
-            number<&N::stiffness_ratio>(within(1e3, 1e10),
-                                        "normal stiffness times width over weight of the heaviest block; absent: 1e6"),
-            number<&N::step_fraction>(within(0.01, 0.8), "share of the greatest stable step; absent: 0.6"),
+            absent_is(accuracy_of(RelaxationQuality::standard).stiffness_ratio,
+                      number<&N::stiffness_ratio>(within(1e3, 1e10),
+                                                  "normal stiffness times width over weight of the heaviest block")),
+            absent_is(standard.step_fraction,
+                      number<&N::step_fraction>(within(0.01, 0.8), "share of the greatest stable step")),
             number<&N::time_step>(Dimension::time, more_than(0),
                                   "divided where it is more than the share of the stable step; absent: the share"),
-            number<&N::viscous_damping>(within(0, 2), "dashpots of contacts, share of critical; absent: 0.2"),
-            number<&N::local_damping>(right_open(0, 1),
-                                      "share of the unbalanced force that acts against the velocity: failing blocks "
-                                      "accelerate that much less; absent: 0.2, but 0 with a record of shaking"),
+            absent_is(standard.viscous_damping,
+                      number<&N::viscous_damping>(within(0, 2), "dashpots of contacts, share of critical")),
+            absent_is(standard.local_damping,
+                      number<&N::local_damping>(
+                          right_open(0, 1),
+                          "share of the unbalanced force that acts against the velocity: failing blocks "
+                          "accelerate that much less; 0 with a record of shaking, unless given")),
             section<&N::kinetic_damping>("all velocities to zero at energy peaks; absent: off"),
             section<&N::mass_scaling>(
                 "light blocks have the inertia of heavy ones: quicker to equilibrium, motion wrong; absent: off"),
             section<&N::start>("springs at the start; absent: preloaded"),
-            number<&N::ramp_time>(Dimension::time, at_least(0), "of a ramped start; absent: 0"),
-            number<&N::consolidation_time>(Dimension::time, at_least(0),
-                                           "in which blocks held at first do not move; absent: 0"),
-            number<&N::equilibrium_ratio>(between(0, 1), "greatest unbalanced force over weight at rest; absent: 1e-6"),
-            number<&N::onset_rotation>(Dimension::angle, more_than(0), "more is onset of failure; absent: 0.01 rad"),
-            number<&N::onset_slide>(more_than(0), "displacement in block radii, likewise; absent: 0.01"),
-            number<&N::collapse_rotation>(Dimension::angle, more_than(0), "more is collapse; absent: 0.5 rad"),
-            number<&N::collapse_displacement>(more_than(0), "in block radii, likewise; absent: 1"),
+            absent_is(standard.ramp_time, number<&N::ramp_time>(Dimension::time, at_least(0), "of a ramped start")),
+            absent_is(standard.consolidation_time,
+                      number<&N::consolidation_time>(Dimension::time, at_least(0),
+                                                     "in which blocks held at first do not move")),
+            absent_is(standard.equilibrium_ratio,
+                      number<&N::equilibrium_ratio>(between(0, 1), "greatest unbalanced force over weight at rest")),
+            absent_is(standard.onset_rotation,
+                      number<&N::onset_rotation>(Dimension::angle, more_than(0), "more is onset of failure")),
+            absent_is(standard.onset_slide,
+                      number<&N::onset_slide>(more_than(0), "displacement in block radii, likewise")),
+            absent_is(standard.collapse_rotation,
+                      number<&N::collapse_rotation>(Dimension::angle, more_than(0), "more is collapse")),
+            absent_is(standard.collapse_displacement,
+                      number<&N::collapse_displacement>(more_than(0), "in block radii, likewise")),
             section<&N::stop>("end at equilibrium or collapse, at onset too, at nothing before collapse, at the latest "
                               "at the duration, which is then no lack of an answer, or where all rest, also what has "
                               "collapsed; absent: equilibrium"),
-            number<&N::duration>(Dimension::time, more_than(0), "longest model time; absent: 60 s"),
+            absent_is(standard.duration, number<&N::duration>(Dimension::time, more_than(0), "longest model time")),
             number<&N::watch>(Dimension::time, more_than(0),
                               "model time for which motion is followed whatever comes of it, past equilibrium, onset "
                               "and collapse, in place of stop and duration; absent: the run ends at its verdict"),
-            number<&N::most_steps>(within(1, 1e12), "longest run, a whole number; absent: 1e8"),
+            absent_is(static_cast<double>(standard.most_steps),
+                      number<&N::most_steps>(within(1, 1e12), "longest run, a whole number")),
             number<&N::taken_away_below>(Dimension::length,
                                          "level in the section; a block that comes to lie below it has left the slope "
                                          "and is taken away; absent: all stay"),
             number<&N::crack_opening>(more_than(0),
                                       "in shortest edges; neighbours that part by more show the first tension crack; "
                                       "absent: 0.01 for rows and stepped bases, none looked for else"),
-            number<&N::overlap_limit>(within(0.02, 1),
-                                      "of the shortest edge; a run with more is stopped; absent: 0.05"),
+            absent_is(standard.overlap_limit,
+                      number<&N::overlap_limit>(within(0.02, 1), "of the shortest edge; a run with more is stopped")),
             section<&N::corners_bear>(
                 "whether blocks that rest only because corners bear on corners are in equilibrium, as blocks of steel "
                 "are, rather than held_by_corners, which no search takes for standing; absent: off")};
