@@ -16,7 +16,7 @@ inline std::string plain_number(double value) {
     constexpr int digits = 6;
     std::array<char, 32> text{};
     const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, digits).ptr;
-    const std::string number(text.begin(), end);
+    std::string number(text.begin(), end);
     const std::size_t exponent = number.find('e');
     if (exponent == std::string::npos) {
         return number;
