@@ -143,9 +143,12 @@ expect "named" test "$(grep -A1 '"without_effect"' idle/result.json | tail -n 1 
 
 title "Ctrl-C"
 sed 's/samples = 2048/samples = 10000000/' study.toml >long.toml
-setsid "$program" sensitivity long.toml --out long --quiet >"$scratch/out" 2>"$scratch/err" </dev/null &
+setsid "$program" sensitivity long.toml --out long >"$scratch/out" 2>"$scratch/err" </dev/null &
 child=$!
-sleep 1.5
+for ((wait = 0; wait < 600; ++wait)); do
+    ! grep -q '[1-9] %: ' "$scratch/err" || break
+    sleep 0.1
+done
 kill -s INT -- "-$child" || true
 status=0
 wait "$child" || status=$?
