@@ -58,7 +58,7 @@ struct Scanline {
     double plunge;
     double trend;
     std::optional<double> least_angle;
-    // With a smaller one a few planes would outweigh all others.
+    // Customary value: a smaller angle would let a few planes outweigh all others.
     static constexpr double customary_least_angle = degrees(15);
     static constexpr auto fields() {
         return std::tuple{

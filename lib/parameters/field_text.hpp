@@ -1,4 +1,4 @@
-// What a described number means, in words.
+// The text of a described number: its meaning and the value that its absence stands for.
 #pragma once
 
 #include "parameters/fields.hpp"

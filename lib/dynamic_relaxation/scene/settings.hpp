@@ -20,8 +20,8 @@ constexpr bool is_preloaded(RelaxationStart start) {
 
 enum class RelaxationQuality { draft, standard, reference };
 
-// What a quality sets together. The values were chosen with `delabole trade`: with a preloaded start the critical value
-// depends on the stiffness alone, and steps of 0.1 to 0.6 of the stable one give the same bracket.
+// The numbers that a quality sets together. They were chosen with `delabole trade`: with a preloaded start the critical
+// value depends on the stiffness alone, and steps of 0.1 to 0.6 of the stable one give the same bracket.
 struct RelaxationAccuracy {
     double step_fraction;
     double stiffness_ratio;

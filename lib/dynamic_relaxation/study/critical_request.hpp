@@ -37,8 +37,8 @@ enum class PathChoice { one, all };
 
 inline constexpr std::string_view paths_meaning = "all: the value on each path and their spread, too; absent: one";
 
-// What a search does that the case leaves to it: the width of the bracket in the end, rad or a ratio, and the range of
-// factors.
+// A search takes these where the case leaves them out: the width of its last bracket, rad or a ratio, and the range of
+// factors that it tries.
 inline constexpr double standard_angle_tolerance = degrees(0.005);
 inline constexpr double standard_ratio_tolerance = 0.005;
 inline constexpr double least_ratio = 0.1;
