@@ -146,17 +146,19 @@ EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction fir
     return ensemble;
 }
 
-std::vector<Quantity> outputs_of_ensemble(const std::vector<Quantity>& outputs) {
-    std::vector<Quantity> all = outputs;
-    for (const Quantity& output : outputs) {
-        all.push_back({std::string(deviation_prefix) + output.name, output.dimension,
-                       "standard deviation between the slopes of the ensemble: " + output.meaning});
+std::vector<Quantity> outputs_of_ensemble(std::vector<Quantity> outputs) {
+    const std::size_t means = outputs.size();
+    outputs.reserve(2 * means + 2);
+    for (std::size_t index = 0; index < means; ++index) {
+        const Quantity& mean = outputs[index];
+        outputs.push_back({std::string(deviation_prefix) + mean.name, mean.dimension,
+                           "standard deviation between the slopes of the ensemble: " + mean.meaning});
     }
-    all.push_back({std::string(deviation_of_profile), Dimension::length,
-                   "root mean square distance of their ground left standing from its mean"});
-    all.push_back(
+    outputs.push_back({std::string(deviation_of_profile), Dimension::length,
+                       "root mean square distance of their ground left standing from its mean"});
+    outputs.push_back(
         {"ensemble_without_answer", Dimension::ratio, "slopes of the ensemble that are left out of the mean"});
-    return all;
+    return outputs;
 }
 
 Prediction prediction_of(EnsemblePrediction ensemble) {

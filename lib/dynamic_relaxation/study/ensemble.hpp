@@ -62,7 +62,7 @@ EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction fir
 
 // Outputs of a model with an ensemble: for each output of a member its mean, under the same name, then its deviation
 // (deviation_prefix), the deviation of the profile, and the number of members without an answer.
-std::vector<Quantity> outputs_of_ensemble(const std::vector<Quantity>& outputs);
+std::vector<Quantity> outputs_of_ensemble(std::vector<Quantity> outputs);
 
 // Results in the order of outputs_of_ensemble; none if the ensemble failed.
 Prediction prediction_of(EnsemblePrediction ensemble);

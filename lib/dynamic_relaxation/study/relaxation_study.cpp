@@ -322,7 +322,7 @@ std::vector<Quantity> outputs_of_run(const RelaxationStudy& study) {
     if (study.critical) {
         std::ranges::move(outputs_of_search(critical_plan(study)), std::back_inserter(outputs));
     }
-    return study.ensemble ? outputs_of_ensemble(outputs) : outputs;
+    return study.ensemble ? outputs_of_ensemble(std::move(outputs)) : outputs;
 }
 
 ModelInterface model_interface(const RelaxationStudy& study) {
@@ -335,7 +335,7 @@ ModelInterface model_interface(const RelaxationStudy& study) {
         std::ranges::move(outputs_of_search(plan), std::back_inserter(model.outputs));
     }
     if (study.ensemble) {
-        model.outputs = outputs_of_ensemble(model.outputs);
+        model.outputs = outputs_of_ensemble(std::move(model.outputs));
     }
     model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
     model.costly = true;

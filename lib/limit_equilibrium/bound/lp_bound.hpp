@@ -88,9 +88,10 @@ LpBound largest_load_factor(const Assembly& assembly, const std::vector<BodyLoad
 
 // Smallest factor on the tangents of all friction angles and on all cohesions for which the assembly stands; its
 // inverse is a factor of safety, correct or too high. 0: the assembly stands without friction. Infeasible: a factor of
-// 1024 is not enough. No tangent is raised beyond 1e4. Relative accuracy 1e-10. The mechanism is the one that a
-// horizontal force would cause at that strength, and `mechanism_value` the coefficient of that force, about 0. `stop`
-// is checked before each of the 10 to 60 programmes.
+// 1024 is not enough. No tangent is raised beyond 1e4. Relative accuracy 1e-10; with a factor below 1e-6 the assembly
+// stands, but a still smaller one may do. The mechanism is the one that a horizontal force would cause at that
+// strength, and `mechanism_value` the coefficient of that force, about 0. `stop` is checked before each of the 10 to 60
+// programmes.
 LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>* stop = nullptr);
 
 struct LeastImbalance {

@@ -15,6 +15,8 @@ namespace {
 
 // 4^5. With cones much nearer to half planes the simplex method has no accurate digits.
 constexpr double largest_strength = 1024;
+// Likewise with cones so narrow that both edges are one line.
+constexpr double least_strength_told = 1e-6;
 
 }  // namespace
 
@@ -105,7 +107,8 @@ LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>*
         return bound;
     }
     int stale = 0;  // steps since the bracket halved
-    while (high.strength - low.strength > 1e-13 * high.strength && high.margin > 0 && !failed) {
+    while (high.strength - low.strength > 1e-13 * high.strength && high.strength > least_strength_told &&
+           high.margin > 0 && !failed) {
         const double width = high.strength - low.strength;
         const bool both = std::isfinite(low.margin) && std::isfinite(high.margin) && stale < 2;
         const double share = both ? -low.margin / (high.margin - low.margin) : 0.5;
