@@ -127,21 +127,15 @@ std::vector<std::string> model_names() {
 }
 
 std::vector<Quantity> named_inputs(const CaseModel& model) {
-    std::vector<Quantity> inputs;
-    const auto add = [&](const std::string& path, const FieldInfo& info, double value) {
-        inputs.push_back(
-            {.name = path, .dimension = info.dimension, .meaning = text_of(info), .range = info.range, .value = value});
-    };
-    std::visit(
-        [&](const auto& parameters) {
+    return std::visit(
+        [](const auto& parameters) {
             if constexpr (requires { parameters.model; }) {
-                for_each_named_number(parameters.model, add);
+                return inputs_of(parameters.model);
             } else {
-                for_each_named_number(parameters, add);
+                return inputs_of(parameters);
             }
         },
         model);
-    return inputs;
 }
 
 std::optional<CaseModel> choose_model(Section& section) {

@@ -1,17 +1,8 @@
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
 
-#include "dynamic_relaxation/blocks/neighbours.hpp"
-
 #include <algorithm>
 
 namespace delabole {
-
-namespace {
-
-constexpr double near = 1e-3;  // in shortest edges; contacts, too, treat a joint with a smaller initial opening as
-                               // closed
-
-}  // namespace
 
 std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge) {
     const std::size_t block = bodies.block_of[edge];
@@ -20,7 +11,7 @@ std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, st
     if (bodies.along[edge].dot(along) >= 0) {
         return {};
     }
-    const double tolerance = near * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
+    const double tolerance = closed_joint * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
     const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
     const auto from_start = [&](std::size_t corner) -> PlanePoint<> {
         return between + (bodies.corner[corner] - bodies.corner[other_edge]);
@@ -46,16 +37,20 @@ std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, st
                       end - begin};
 }
 
-std::vector<SharedFace> find_shared_faces(const Bodies& bodies) {
-    std::vector<SharedFace> faces;
+std::vector<BlockPair> touching_blocks(const Bodies& bodies) {
     if (bodies.size() == 0) {
-        return faces;  // there is no shortest edge
+        return {};  // there is no shortest edge
     }
     const std::vector<Motion> unmoved(bodies.size());
     const std::vector<char> none_removed(bodies.size(), 0);
-    const double margin = near * *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end());
+    const double margin = closed_joint * *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end());
     const std::vector<double> reach(bodies.size(), margin / 2);
-    for (const auto& [first, second] : neighbouring_blocks(bodies, unmoved, none_removed, reach)) {
+    return neighbouring_blocks(bodies, unmoved, none_removed, reach);
+}
+
+std::vector<SharedFace> find_shared_faces(const Bodies& bodies) {
+    std::vector<SharedFace> faces;
+    for (const auto& [first, second] : touching_blocks(bodies)) {
         for (std::size_t edge = bodies.range[first].begin; edge < bodies.range[first].end; ++edge) {
             for (std::size_t other = bodies.range[second].begin; other < bodies.range[second].end; ++other) {
                 if (const std::optional<SharedFace> face = shared_face(bodies, edge, other)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
+#include "dynamic_relaxation/blocks/neighbours.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -21,11 +22,18 @@ struct SharedFace {
     double length;           // m
 };
 
-// The face that two edges share if they face each other, lie on one line within a thousandth of the shortest edge of
-// their blocks, and share a length greater than that; empty otherwise.
+// In shortest edges of the two blocks: a joint with a smaller opening in the initial geometry is closed. Contacts, too,
+// treat it so.
+inline constexpr double closed_joint = 1e-3;
+
+// The face that two edges share if they face each other, lie on one line within the opening of a closed joint, and
+// share a length greater than that; empty otherwise.
 std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge);
 
-// The shared faces of all pairs of blocks that are not both fixed, in increasing order of the blocks.
+// Pairs of blocks, not both fixed, that may touch in the initial geometry, in increasing order.
+std::vector<BlockPair> touching_blocks(const Bodies& bodies);
+
+// The shared faces of these pairs, in the same order.
 std::vector<SharedFace> find_shared_faces(const Bodies& bodies);
 
 // Position of the block's face relative to the other block, whose face carries the axes.

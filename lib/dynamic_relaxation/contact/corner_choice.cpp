@@ -150,8 +150,9 @@ void for_each_pair(const ContactList& list, const std::vector<double>& weight, c
 bool is_on_corner(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact,
                   const ContactPosition& at) {
     constexpr double near = 0.01;
-    return law.rival != 0 && (law.rival > 0 ? at.position : contact.edge_length() - at.position) <
-                                 near * std::min(bodies.radius[contact.block], bodies.radius[contact.other]);
+    const double end = law.rival != 0 ? law.rival : law.rival_sine;
+    return end != 0 && (end > 0 ? at.position : contact.edge_length() - at.position) <
+                           near * std::min(bodies.radius[contact.block], bodies.radius[contact.other]);
 }
 
 bool relies_on_corners(const CornerMotion& blocks, const std::vector<double>& weight, const ContactList& list) {

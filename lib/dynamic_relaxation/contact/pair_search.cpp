@@ -30,6 +30,8 @@ constexpr double deepest = 0.25;
 // Where two edges meet in a tip, a corner at the tip belongs to the edge into whose block its faces dip less, if the
 // sines of the two dips differ by more than this.
 constexpr double clearly_less = 0.15;
+// Sine; a corner whose faces dip deeper below an edge than this does not lie on it.
+constexpr double into_the_block = 0.02;
 // Distance from the tip, in shortest edges, up to which overlaps may not yet show to which edge a corner belongs.
 constexpr double at_tip = 0.05;
 
@@ -211,19 +213,25 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     bool rival = far_counts || near_bears;
     const bool alone = rival && bodies_.along[edge_number].dot(bodies_.along[beyond]) < one_face;
     const double from_end = at_start ? position : length - position;
-    if (rival && !alone && std::abs(from_end) < at_tip * shortest_) {
+    const double sense = at_start ? 1 : -1;
+    const PlanePoint<>& one = bodies_.along[edge_number];
+    const PlanePoint<>& two = bodies_.along[beyond];
+    const double sine = std::abs(one.x() * two.y() - one.y() * two.x());
+    ContactLaw law = law_between(block, corner, other, edge);
+    if (rival && std::abs(from_end) < at_tip * shortest_) {
         const double excess = dip_beyond_that_of(corner_number, edge_number, beyond, at_start);
-        if (excess > clearly_less) {
+        if (excess > (alone ? into_the_block : clearly_less) &&
+            (!alone || dip_below(corner_number, edge_number) > into_the_block)) {
             return;
         }
-        rival = excess >= -clearly_less;
+        if (!alone && excess < -clearly_less) {
+            rival = false;
+            law.rival_sine = dip_below(corner_number, edge_number) < -into_the_block ? sense * sine : 0;
+        }
     }
-    ContactLaw law = law_between(block, corner, other, edge);
     if (rival) {
-        const PlanePoint<>& one = bodies_.along[edge_number];
-        const PlanePoint<>& two = bodies_.along[beyond];
-        law.rival = at_start ? 1 : -1;
-        law.rival_sine = std::abs(one.x() * two.y() - one.y() * two.x());
+        law.rival = sense;
+        law.rival_sine = sine;
         law.rival_cosine = -one.dot(two);
         law.alone = alone ? 1 : 0;
     }
@@ -296,13 +304,14 @@ double PairSearch::dip_beyond_that_of(std::size_t corner, std::size_t edge, std:
     if (apart.norm() > closed * shortest_) {
         return 0;
     }
+    return dip_below(corner, edge) - dip_below(corner, beyond);
+}
+
+double PairSearch::dip_below(std::size_t corner, std::size_t edge) const {
     const PlanePoint<>& to_next = bodies_.along[corner];
-    const PlanePoint<> to_previous = -bodies_.along[bodies_.range[block].before(corner)];
-    const auto dip = [&](std::size_t below) {
-        const PlanePoint<> normal = bodies_.normal(below);
-        return -std::min(to_next.dot(normal), to_previous.dot(normal));
-    };
-    return dip(edge) - dip(beyond);
+    const PlanePoint<>& from_previous = bodies_.along[bodies_.range[bodies_.block_of[corner]].before(corner)];
+    const PlanePoint<> normal = bodies_.normal(edge);
+    return -std::min(to_next.dot(normal), -from_previous.dot(normal));
 }
 
 RelaxationContact PairSearch::contact_of(std::size_t corner, std::size_t edge) const {

@@ -95,6 +95,7 @@ class PairSearch {
     bool can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;
     bool bears(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;  // in the list
     double dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const;
+    double dip_below(std::size_t corner, std::size_t edge) const;
     RelaxationContact contact_of(std::size_t corner, std::size_t edge) const;
     ContactLaw law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;
     static double shared_length(const Side& block, std::size_t face, const Side& other, std::size_t edge,

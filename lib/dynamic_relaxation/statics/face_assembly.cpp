@@ -103,11 +103,49 @@ void add_face(std::size_t block, std::size_t other, const PlanePoint<>& middle, 
     }
 }
 
+// Sine of the bend up to which two edges are one face: where slivers were taken away, a joint may bend a little.
+constexpr double straight = 0.02;
+
 // Whether a corner bears on its edge and not on a corner of it.
 bool is_on_edge(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact,
                 const ContactPosition& at) {
-    constexpr double straight = 1e-6;  // sine
-    return !is_on_corner(bodies, law, contact, at) || (law.alone == 0 && law.rival_sine < straight);
+    return !is_on_corner(bodies, law, contact, at) || (law.alone == 0 && std::abs(law.rival_sine) < straight);
+}
+
+// Half the length of a face in place of a point, since the linear programme requires a length.
+double half_of_point(const Bodies& bodies, std::size_t block, std::size_t other) {
+    return 1e-6 * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
+}
+
+void add_tips(const BlocksUnderLoad& blocks, std::size_t block, std::size_t other, const std::vector<std::size_t>& body,
+              Assembly& assembly) {
+    const Bodies& bodies = blocks.bodies;
+    const double tolerance = closed_joint * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
+    const auto friction_of = [&](std::size_t edge, std::size_t other_edge) {
+        return blocks.scene.material[weaker_joint(blocks.scene, bodies, edge, other_edge)].friction_angle;
+    };
+    const auto goes_on = [&](std::size_t edge, std::size_t beyond) {
+        const PlanePoint<>& one = bodies.along[edge];
+        const PlanePoint<>& two = bodies.along[beyond];
+        return one.dot(two) > 0 && std::abs(one.x() * two.y() - one.y() * two.x()) < straight;
+    };
+    for (std::size_t edge = bodies.range[other].begin; edge < bodies.range[other].end; ++edge) {
+        const PlanePoint<> start = bodies.centroid[other] + bodies.corner[edge];
+        const PlanePoint<>& along = bodies.along[edge];
+        const double first = goes_on(edge, bodies.range[other].before(edge)) ? -tolerance : tolerance;
+        const double last =
+            bodies.length[edge] - (goes_on(edge, bodies.range[other].after(edge)) ? -tolerance : tolerance);
+        for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
+            const PlanePoint<> point = bodies.centroid[block] + bodies.corner[corner];
+            const double place = along.dot(point - start);
+            if (std::abs(bodies.normal(edge).dot(point - start)) <= tolerance && place > first && place < last) {
+                const double friction =
+                    std::max(friction_of(corner, edge), friction_of(bodies.range[block].before(corner), edge));
+                add_face(body[block], body[other], point, half_of_point(bodies, block, other) * along, {friction, 0, 0},
+                         assembly);
+            }
+        }
+    }
 }
 
 }  // namespace
@@ -139,7 +177,6 @@ FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<Shar
 }
 
 void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list, FaceAssembly& made) {
-    constexpr double short_face = 1e-6;  // of the shortest edge: the linear programme requires a length
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const ContactMemory memory = list.memory[index];
@@ -153,11 +190,24 @@ void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list
             continue;
         }
         const PlanePoint<> point = centroid_of(blocks, contact.block) + PlanePoint<>(at.arm_x, at.arm_y);
-        const double half = short_face * std::min(blocks.bodies.shortest_edge[contact.block],
-                                                  blocks.bodies.shortest_edge[contact.other]);
+        const double half = half_of_point(blocks.bodies, contact.block, contact.other);
         const double friction = memory.broken ? law.residual_friction : law.friction;
         add_face(body[contact.block], body[contact.other], point, half * PlanePoint<>(at.along_x(), at.along_y()),
                  {std::atan(friction), 0, 0}, made.assembly);
+    }
+}
+
+void add_tips_on_edges(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces, FaceAssembly& made) {
+    BlockPairs facing;
+    for (const SharedFace& face : faces) {
+        facing.insert(std::minmax<std::size_t>(face.block, face.other));
+    }
+    const std::vector<std::size_t> body = bodies_of_blocks(blocks);
+    for (const auto& [first, second] : touching_blocks(blocks.bodies)) {
+        if (!facing.contains(std::minmax<std::size_t>(first, second))) {
+            add_tips(blocks, first, second, body, made.assembly);
+            add_tips(blocks, second, first, body, made.assembly);
+        }
     }
 }
 

@@ -47,4 +47,8 @@ FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<Shar
 // (corner_choice.hpp). Edges that continue straight past a corner count as one edge.
 void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list, FaceAssembly& made);
 
+// The same for blocks that have not moved and have no contacts yet: corners that lie on an edge of another block,
+// between its ends, where the two share no face.
+void add_tips_on_edges(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces, FaceAssembly& made);
+
 }  // namespace delabole

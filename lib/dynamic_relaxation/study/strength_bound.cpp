@@ -20,18 +20,19 @@ bool is_static(const RelaxationScene& scene) {
            !scene.belt && (scene.gravity.rate == 0 || scene.gravity.final_tilt == scene.gravity.tilt);
 }
 
-Assembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces) {
+FaceAssembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
+                         bool tips_bear) {
     RelaxationSettings at_once;
     at_once.start = RelaxationStart::dropped;
     const std::vector<Motion> unmoved(bodies.size());
     std::vector<BlockForce> load(bodies.size());
     sum_loads(scene, at_once, bodies, 0, bodies.fixed, unmoved, load);
-    return face_assembly({scene, bodies, bodies.fixed, unmoved, load}, faces).assembly;
-}
-
-Assembly assembly_of(const RelaxationScene& scene) {
-    const Bodies bodies = make_bodies(scene);
-    return assembly_of(scene, bodies, find_shared_faces(bodies));
+    const BlocksUnderLoad blocks{scene, bodies, bodies.fixed, unmoved, load};
+    FaceAssembly made = face_assembly(blocks, faces);
+    if (tips_bear) {
+        add_tips_on_edges(blocks, faces, made);
+    }
+    return made;
 }
 
 // Returns nothing if the linear programme has no answer.
@@ -63,7 +64,9 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
     if (!is_static(scene)) {
         return std::nullopt;
     }
-    const LpBound bound = least_strength_factor(assembly_of(scene), stop);
+    const Bodies bodies = make_bodies(scene);
+    const LpBound bound =
+        least_strength_factor(assembly_of(scene, bodies, find_shared_faces(bodies), true).assembly, stop);
     switch (bound.status) {
     case LpStatus::optimal:
         return bound.value > 0 ? 1 / bound.value : std::numeric_limits<double>::infinity();
@@ -89,7 +92,8 @@ std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const
         bared[face.block] |= gone[face.other];
         bared[face.other] |= gone[face.block];
     }
-    const Assembly assembly = assembly_of(scene, bodies, faces);
+    // A block that has lost a neighbour does not balance on a tip.
+    const Assembly assembly = assembly_of(scene, bodies, faces, false).assembly;
     std::vector<std::size_t> falling;
     for (std::size_t body = 0; body < block_of.size(); ++body) {
         const std::size_t block = block_of[body];

@@ -16,12 +16,13 @@ namespace delabole {
 // loading path and the stiffness of the joints. A path may lead to failure far below it, for the reason given in
 // lp_bound.hpp.
 //
-// Forces act over faces that lie on each other in the initial geometry, with peak strengths, under the initial loads;
-// fixed blocks are the base. Contacts of corners on corners do not count: where there are many, as where joint sets
-// cross, a slope may stand slightly above this factor (the published problem RJ-5, without cohesion, by 2 %). Each end
-// of a face has half of its tensile strength, which is more than an elastic section has; bonded rock has its own
-// strength if that is more than the joint's. Empty if anything is scheduled for later. Infinite if blocks stand without
-// strength, 0 if no strength is enough. Time: 10 to 60 linear programmes; 0.1 s for 60 blocks, 20 s for 450.
+// Forces act over faces that lie on each other in the initial geometry, with peak strengths, and at tips that stand on
+// a face, under the initial loads; fixed blocks are the base. Contacts of corners on corners do not count: where there
+// are many, as where joint sets cross, a slope may stand slightly above this factor (the published problem RJ-5,
+// without cohesion, by 2 %). Each end of a face has half of its tensile strength, which is more than an elastic section
+// has; bonded rock has its own strength if that is more than the joint's. Empty if anything is scheduled for later.
+// Infinite if blocks stand without strength, 0 if no strength is enough. Time: 10 to 60 linear programmes; 0.1 s for 60
+// blocks, 20 s for 450.
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
                                                   const std::atomic<bool>* stop = nullptr);
 

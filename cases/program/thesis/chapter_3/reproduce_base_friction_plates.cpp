@@ -27,7 +27,7 @@ struct PlateModel {
     }
 };
 
-// A model in inches, its blocks and the printed crack paths from the toe up to the ground.
+// A model in inches, its blocks and the printed crack paths up to the ground.
 struct DrawnModel {
     std::vector<DrawnBlock> blocks;
     std::vector<Polyline> paths;
@@ -68,12 +68,16 @@ DrawnModel draw_model(const BaseFrictionState& state) {
     if (geometry.saw_tooth) {
         drawn.saw_tooth = saw_tooth_joint(geometry);
     }
-    const Point toe(0, -geometry.vertical_cut / inch);
-    const double rise = geometry.slope_height / inch;
+    constexpr double above_the_toe = 0.25;  // of the slope's height: where else a path came out is not printed
+    const double toe = -geometry.vertical_cut / inch;
+    const double top = toe + geometry.slope_height / inch;
+    const bool through_toe = state.remark.find("did not pass through the toe") == std::string::npos;
+    const double height = through_toe ? 0 : above_the_toe * geometry.slope_height / inch;
+    const Point foot(std::max(0.0, toe + height) / std::tan(geometry.slope_angle), toe + height);
     for (const std::optional<double>& angle : {state.crack_angle_from, state.crack_angle_to}) {
         if (angle) {
-            const double along = std::min(rise / std::tan(*angle), right - toe.x());
-            drawn.paths.push_back({toe, toe + Point(along, along * std::tan(*angle))});
+            const double along = std::min((top - foot.y()) / std::tan(*angle), right - foot.x());
+            drawn.paths.push_back({foot, foot + Point(along, along * std::tan(*angle))});
         }
     }
     return drawn;
@@ -147,10 +151,10 @@ Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& 
     report.blocks.emplace_back(Heading{"Plates 3.I to 3.XIII, drawn"});
     report.blocks.emplace_back(Paragraph{
         "Models of Table 3.2 as they were cut, in the last state that the table tells of, with the critical crack path "
-        "at its printed inclination from the toe. The thesis does not print how far the ground in "
-        "front of the toe went, nor where columns begin, nor how large the teeth of 14D's joint are: that is chosen. "
-        "The "
-        "photographs are not at hand."});
+        "at its printed inclination from the toe, or from a fourth of the slope's height above it where the table says "
+        "that it did not pass through the toe. The thesis does not print how far the ground in front of the toe went, "
+        "nor where columns begin, nor how large the teeth of 14D's joint are: that is chosen. The photographs are not "
+        "at hand."});
     std::vector<std::string> plates;
     for (const PlateModel& row : rows) {
         if (std::ranges::find(plates, row.plate) == plates.end()) {
@@ -175,7 +179,7 @@ Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& 
                 models.begin() + static_cast<std::ptrdiff_t>(std::min(first + 2, models.size())));
             report.blocks.emplace_back(folder.draw(
                 plate_figure(plate, pair), models.size() > 2 ? file + "_" + pair.front()->test.substr(0, 1) : file,
-                "The path begins at the toe."));
+                "The inclination of the path is the printed one."));
         }
     }
     return result;

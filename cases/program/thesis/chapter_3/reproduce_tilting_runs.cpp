@@ -278,9 +278,10 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
     report.blocks.emplace_back(folder.draw(figure, "fig_3_7_runs", "Fig 3.7: means of two rows each."));
 }
 
+// The last frame up to that tilt.
 const MotionFrame& frame_at(const RelaxationRun& made, double tilt) {
-    const auto found = std::ranges::find_if(made.frames, [&](const MotionFrame& frame) { return frame.tilt >= tilt; });
-    return found == made.frames.end() ? made.frames.back() : *found;
+    const auto beyond = std::ranges::find_if(made.frames, [&](const MotionFrame& frame) { return frame.tilt > tilt; });
+    return beyond == made.frames.begin() ? made.frames.front() : *std::prev(beyond);
 }
 
 // "1 slides; 2 to 6 turn": each column by what it has done since the start.
@@ -393,7 +394,8 @@ void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& 
                            angle_in_words(end.tilt), angle_in_words(end.tilt - degrees(32)),
                            movements_in_words(end, columns)});
     std::vector<Figure> figures;
-    for (const auto& [tilt, what] : {std::pair{failure->crack_tilt / degrees(1) + 0.5, " (b)"}, {32.0, " (d)"}}) {
+    for (const auto& [tilt, what] :
+         {std::pair{failure->crack_tilt / degrees(1) + 0.5, " (b)"}, {30.0, " (c)"}, {32.0, " (d)"}}) {
         const MotionFrame& frame = frame_at(made, degrees(tilt));
         const std::string number = human_number(frame.tilt / degrees(1), 3);
         figures.push_back(
@@ -404,7 +406,8 @@ void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& 
     }
     set_one_scale(figures);
     report.blocks.emplace_back(folder.draw(figures[0], "plate_3_xiv_crack", "Gravity downwards; F: the base."));
-    report.blocks.emplace_back(folder.draw(figures[1], "plate_3_xiv_end", "Gravity downwards; F: the base."));
+    report.blocks.emplace_back(folder.draw(figures[1], "plate_3_xiv_30_deg", "Gravity downwards; F: the base."));
+    report.blocks.emplace_back(folder.draw(figures[2], "plate_3_xiv_end", "Gravity downwards; F: the base."));
 }
 
 }  // namespace

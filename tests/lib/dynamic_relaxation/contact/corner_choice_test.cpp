@@ -126,6 +126,25 @@ TEST(Toe, AboveTheGroundHoldsByFrictionAlone) {
     }
 }
 
+// Two planes come out at the toe. The wedge above the upper one slides on it; the thin wedge between the planes does
+// not catch its tip.
+TEST(Toe, ThinWedgeBetweenTwoPlanesHoldsNothing) {
+    const double upper = 41;
+    for (const double lower : {30.0, 36.0, 39.0}) {
+        for (const double friction : {34.0, 40.9, 41.1}) {
+            RelaxationStudy study = toe(plane_through(upper, {0, 0}), degrees(friction), {{-15, 0}});
+            SlopeCut second = plane_through(lower, {0, 0});
+            second.name = "lower plane";
+            std::get<RelaxationSlope>(study.model.scene).geometry.cut.push_back(second);
+            const std::optional<double> bound = greatest_strength_reduction(relaxation_scene(study));
+            ASSERT_TRUE(bound);
+            EXPECT_NEAR(*bound, std::tan(degrees(friction)) / std::tan(degrees(upper)), 1e-6) << lower;
+            EXPECT_EQ(run(study).result.outcome == RelaxationOutcome::equilibrium, friction > upper)
+                << lower << ", " << friction;
+        }
+    }
+}
+
 // Statics of faces alone sees a block on a plane; it tells what stands on its corner from what stands by itself.
 TEST(Toe, StandsOnItsCornerAloneBelowTheFrictionOfItsPlane) {
     const double plane = std::tan(degrees(35));
@@ -264,6 +283,20 @@ TEST(CornerOnCorner, KnowsHowDeepTheOtherEdgeIs) {
         }
     }
     EXPECT_EQ(compared, 6U);
+}
+
+// A triangle stands with its tip on the floor and leans against a wall, which it touches between 1 and 3 m. It is held
+// if the wall bears at the top and tan(phi) is t or more, where the moment about the tip and the forces give, for a
+// unit weight with its centre 2/3 m from the tip:
+//     N (3 + t) = 2/3,  N = t (1 - t N)   =>   t^2 / 3 + 3 t = 2/3
+TEST(Tip, OnAFloorBearsInStaticsToo) {
+    RelaxationScene scene = on_floor({{{0, 0}, {1, 1}, {1, 3}}}, 30);
+    scene.block.push_back(fixed_block(rectangle(1, 0, 2, 3)));
+    const double least = (std::sqrt(9 + 8.0 / 9) - 3) * 1.5;
+    const std::optional<double> bound = greatest_strength_reduction(scene);
+    ASSERT_TRUE(bound);
+    EXPECT_NEAR(*bound, std::tan(degrees(30)) / least, 1e-5);  // the tip is a face of 2e-6 shortest edges
+    EXPECT_EQ(relax(scene, until_onset()).outcome, RelaxationOutcome::equilibrium);
 }
 
 // The toe of problem RJ-15, where three edges meet and a block squeezed between two of them relies on both.

@@ -65,5 +65,59 @@ TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
     }
 }
 
+// Brackets of a search that begins at the same ratio are the same, or beside each other where rounding decides.
+TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
+    constexpr std::size_t most_blocks = 60;  // a search takes a second then
+    std::map<std::string, std::size_t> agree;
+    std::size_t searched = 0;
+    std::size_t found = 0;
+    std::size_t unanswered = 0;
+    // A run of the search was stopped, by an overlap or its energy, or came to no end.
+    const auto without_verdict = [](const CriticalAnswer& answer) {
+        return answer.status == CriticalStatus::run_failed || answer.status == CriticalStatus::undecided;
+    };
+    for (const std::uint32_t seed : seeds()) {
+        RelaxationStudy study = testing::random_slope(seed);
+        const RelaxationScene scene = testing::drawn(study).scene;
+        if (scene.block.size() > most_blocks) {
+            continue;
+        }
+        study.critical = ReductionSearch{};
+        const CriticalAnswer answer = find_critical(study);
+        const std::optional<double> bound = greatest_strength_reduction(scene);
+        ASSERT_TRUE(bound) << seed;
+        ++searched;
+        if (answer.status == CriticalStatus::found) {
+            EXPECT_LE(answer.stands, *bound) << seed;
+            ++found;
+        }
+        const std::vector<std::pair<std::string, RelaxationStudy>> redrawn{
+            {"mirrored", testing::mirrored(study)},
+            {"set by another trace", testing::with_sets_by_another_trace(study)},
+            {"lines drawn on", testing::with_lines_drawn_on(study)},
+            {"cuts in reverse", testing::with_cuts_reversed(study)}};
+        for (const auto& [name, other] : redrawn) {
+            const CriticalAnswer again = find_critical(other);
+            if (without_verdict(again) || without_verdict(answer)) {
+                ++unanswered;
+                continue;
+            }
+            EXPECT_EQ(again.status, answer.status) << seed << ", " << name;
+            const bool alike = answer.status != CriticalStatus::found ||
+                               (again.stands <= answer.fails && again.fails >= answer.stands);
+            EXPECT_TRUE(alike) << seed << ", " << name << ": " << again.stands << " to " << again.fails << ", not "
+                               << answer.stands << " to " << answer.fails;
+            agree[name] += alike && again.status == answer.status ? 1 : 0;
+        }
+    }
+    EXPECT_GT(found, 0U);
+    EXPECT_LE(unanswered, searched / 4);  // of four times as many
+    std::cout << searched << " searches, " << found << " with a factor; " << unanswered
+              << " redrawn without a verdict\n";
+    for (const auto& [name, count] : agree) {
+        std::cout << name << ": " << count << " of " << searched << '\n';
+    }
+}
+
 }  // namespace
 }  // namespace delabole
