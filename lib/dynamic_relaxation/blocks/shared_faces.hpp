@@ -22,8 +22,8 @@ struct SharedFace {
     double length;           // m
 };
 
-// In shortest edges of the two blocks: a joint with a smaller opening in the initial geometry is closed. Contacts, too,
-// treat it so.
+// A joint counts as closed if it is open by less than this in the initial geometry, in shortest edges of its two
+// blocks.
 inline constexpr double closed_joint = 1e-3;
 
 // The face that two edges share if they face each other, lie on one line within the opening of a closed joint, and

@@ -34,9 +34,9 @@
 // is held there by friction angles above half that difference; so a tip on it counts as a corner on a corner where it
 // is asked whether faces alone hold the blocks. Of the 2^n choices at n corners only two are tried.
 //
-// Where several joints come out in one point, the tips of thin wedges meet. A tip whose faces dip into the block below
-// an edge, in the initial geometry, is on the other side of that block and does not bear on the edge: it would hang on
-// it.
+// The tips of thin wedges meet where several joints come out in one point. A tip whose faces dip into the block below
+// an edge in the initial geometry lies on the other side of that block. It does not bear on this edge, on which it
+// would hang.
 //
 // Blocks that both edges hold are not thereby safe. Where three edges meet in a corner, for instance at a wedge whose
 // tip stands in the corner between a plane and the level ground in front of it, no motion may be possible, whatever the

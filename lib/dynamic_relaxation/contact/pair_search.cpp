@@ -1,5 +1,6 @@
 #include "dynamic_relaxation/contact/pair_search.hpp"
 
+#include "dynamic_relaxation/blocks/shared_faces.hpp"
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 
@@ -21,8 +22,6 @@ constexpr double lean_while_touching = 0.7;
 // overlap, so that a change of overlap hardly changes a weight, and far too short to be visible or to change a lever
 // arm.
 constexpr double blend_length = 1e-3;
-// A joint drawn open by less than this, in shortest edges, is closed.
-constexpr double closed = 1e-3;
 // A corner that is found below an edge has crossed the edge if it is no deeper than this, in margins.
 constexpr double came_over = 0.01;
 // In shortest edges: deeper corners belong to the block's other side, unless they bear already.
@@ -217,18 +216,21 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     const PlanePoint<>& one = bodies_.along[edge_number];
     const PlanePoint<>& two = bodies_.along[beyond];
     const double sine = std::abs(one.x() * two.y() - one.y() * two.x());
-    ContactLaw law = law_between(block, corner, other, edge);
+    double bend = 0;  // on which a tip stands that bears on this edge alone
     if (rival && std::abs(from_end) < at_tip * shortest_) {
+        const double dip = dip_below(corner_number, edge_number);
         const double excess = dip_beyond_that_of(corner_number, edge_number, beyond, at_start);
-        if (excess > (alone ? into_the_block : clearly_less) &&
-            (!alone || dip_below(corner_number, edge_number) > into_the_block)) {
+        const bool belongs_beyond = alone ? dip > into_the_block && excess > into_the_block : excess > clearly_less;
+        if (belongs_beyond) {
             return;
         }
         if (!alone && excess < -clearly_less) {
             rival = false;
-            law.rival_sine = dip_below(corner_number, edge_number) < -into_the_block ? sense * sine : 0;
+            bend = dip < -into_the_block ? sense * sine : 0;
         }
     }
+    ContactLaw law = law_between(block, corner, other, edge);
+    law.rival_sine = bend;
     if (rival) {
         law.rival = sense;
         law.rival_sine = sine;
@@ -301,7 +303,7 @@ double PairSearch::dip_beyond_that_of(std::size_t corner, std::size_t edge, std:
     const std::size_t end = at_start ? edge : bodies_.range[bodies_.block_of[edge]].after(edge);
     const PlanePoint<> apart = (bodies_.centroid[block] - bodies_.centroid[bodies_.block_of[edge]]) +
                                (bodies_.corner[corner] - bodies_.corner[end]);
-    if (apart.norm() > closed * shortest_) {
+    if (apart.norm() > closed_joint * shortest_) {
         return 0;
     }
     return dip_below(corner, edge) - dip_below(corner, beyond);
@@ -413,7 +415,7 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
         if (before != unknown) {
             memory = list_->memory[before];
         } else {
-            memory.broken = !(query_.first && contact.gap <= closed * shortest_);
+            memory.broken = !(query_.first && contact.gap <= closed_joint * shortest_);
             const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
             // Far deeper than the blocks overlap, the corner has not come over this edge: it lies on the other side of
             // a thin block.

@@ -20,8 +20,8 @@ bool is_static(const RelaxationScene& scene) {
            !scene.belt && (scene.gravity.rate == 0 || scene.gravity.final_tilt == scene.gravity.tilt);
 }
 
-FaceAssembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
-                         bool tips_bear) {
+Assembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
+                     bool tips_bear) {
     RelaxationSettings at_once;
     at_once.start = RelaxationStart::dropped;
     const std::vector<Motion> unmoved(bodies.size());
@@ -32,7 +32,7 @@ FaceAssembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, con
     if (tips_bear) {
         add_tips_on_edges(blocks, faces, made);
     }
-    return made;
+    return made.assembly;
 }
 
 // Returns nothing if the linear programme has no answer.
@@ -65,8 +65,7 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
         return std::nullopt;
     }
     const Bodies bodies = make_bodies(scene);
-    const LpBound bound =
-        least_strength_factor(assembly_of(scene, bodies, find_shared_faces(bodies), true).assembly, stop);
+    const LpBound bound = least_strength_factor(assembly_of(scene, bodies, find_shared_faces(bodies), true), stop);
     switch (bound.status) {
     case LpStatus::optimal:
         return bound.value > 0 ? 1 / bound.value : std::numeric_limits<double>::infinity();
@@ -93,7 +92,7 @@ std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const
         bared[face.other] |= gone[face.block];
     }
     // A block that has lost a neighbour does not balance on a tip.
-    const Assembly assembly = assembly_of(scene, bodies, faces, false).assembly;
+    const Assembly assembly = assembly_of(scene, bodies, faces, false);
     std::vector<std::size_t> falling;
     for (std::size_t body = 0; body < block_of.size(); ++body) {
         const std::size_t block = block_of[body];

@@ -269,8 +269,8 @@ TEST(LpBound, StrengthFactorOfASlidingBlockIsExact) {
     EXPECT_EQ(least_strength_factor(assembly).status, LpStatus::infeasible);
 }
 
-// With a billionth of the strength both edges of a cone are nearly one line, and the simplex method loses its digits:
-// to seek this factor exactly takes it 1647 steps.
+// The edges of a cone are nearly one line at a billionth of the strength, so that the simplex method loses its digits.
+// It takes 1647 steps to seek this factor exactly.
 TEST(LpBound, StrengthThatIsHardlyNeededIsNotSoughtExactly) {
     constexpr double weight = 1e5;
     Assembly assembly = assemble_row(std::vector<RectangularBlock>(16, {4, 1, weight}), {degrees(30), degrees(30)});
