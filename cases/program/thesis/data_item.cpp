@@ -12,18 +12,24 @@ namespace delabole {
 
 namespace {
 
-// Leaves out the source of what is met or missed, which `verify` prints in a column of its own: here it is the thesis.
+// A value from elsewhere, derived or found by this program, is computed beside nothing printed, and its source says
+// what it agrees with. Else the source is the thesis, which `verify` names in a column of its own.
 PrintedRow printed_row_of(const Comparison& comparison) {
     const bool met = comparison.verdict == Verdict::met;
-    const bool told = met && comparison.expected == "not printed";
-    Remark remark = told ? Remark() : statement(met);
-    if (comparison.verdict == Verdict::unreachable) {
+    const bool printed = comparison.source.starts_with("thesis");
+    Remark remark = printed && !(met && comparison.expected == "not printed") ? statement(met) : Remark();
+    if (!printed) {
+        const bool compared = comparison.expected != "not printed";
+        remark += compared ? (met ? "agrees with " : "DIFFERS from ") + comparison.expected + ", " : "";
+        remark += comparison.source;
+    } else if (comparison.verdict == Verdict::unreachable) {
         remark += ": " + comparison.source;
     }
     if (!comparison.note.empty()) {
-        remark += (told ? "" : "; ") + comparison.note;
+        remark += (in_words(remark).empty() ? "" : "; ") + comparison.note;
     }
-    return {comparison.what, comparison.expected, comparison.computed, comparison.difference, remark};
+    return {comparison.what, printed ? comparison.expected : "not printed", comparison.computed,
+            printed ? comparison.difference : "", remark};
 }
 
 void reproduce_data(const CaseFile& file, const std::string& place, const ResultFolder& folder, Report& report,

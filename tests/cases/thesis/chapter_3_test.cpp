@@ -45,9 +45,11 @@ TEST_F(Chapter3, EveryNameIsListedOnce) {
 TEST_F(Chapter3, TablesMeetTheText) {
     const Reproduction result = reproduce("table3.2");
     for (const PrintedRow& row : result.rows) {
-        // Runs of the models do no better than a guess.
-        const bool of_runs = row.what.starts_with("base friction models in motion");
-        EXPECT_EQ(row.remark.verdict == RowVerdict::not_met, of_runs) << row.what;
+        // Runs of the models do no better than a guess; and Table 3.2 has a slope of 70 deg that took 14 minutes, where
+        // the text says that all failed very quickly.
+        const bool missed = row.what.starts_with("base friction models in motion") ||
+                            row.what == "those that failed within five minutes";
+        EXPECT_EQ(row.remark.verdict == RowVerdict::not_met, missed) << row.what;
     }
     const Json& behaviour = result.json["behaviour"];
     EXPECT_EQ(behaviour["S"].get<int>() + behaviour["L.E."].get<int>() + behaviour["U"].get<int>(), 52);

@@ -112,7 +112,7 @@ void annotate(const PlaneFailure<>& problem, const PlaneFailureResult& result, S
         }
         drawing.notes.push_back(std::move(dip));
     };
-    note({face_at(height), face_at(0.6 * height)}, {-0.03, 0}, Label::Align::right, problem.slope.face_dip);
+    note({face_at(height), face_at(0.6 * height)}, {-0.06, 0}, Label::Align::right, problem.slope.face_dip);
     if (drawing.failure_plane.empty()) {
         return;
     }

@@ -81,6 +81,10 @@ struct SlopeRun {
 
 SlopeRun run_slope(RelaxationStudy study);
 
+// Adds to a section the dip of each joint set, of a fault and of a discontinuity as a short line with its name, in the
+// space in front of the face.
+void add_directions(const RelaxationSlope& slope, Figure& figure);
+
 // Height, m, of the slope above its toe.
 double slope_height(const PostFailure& failure);
 

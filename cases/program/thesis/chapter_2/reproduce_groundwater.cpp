@@ -142,7 +142,7 @@ void add_observation_1(const GroundwaterTest& mixture, const GroundwaterTest& co
                std::abs(light.angular_acceleration - heavy.angular_acceleration) < 1e-12;
     }
     const double quicker = driving_force(mixture) / driving_force(cork) - 1;
-    result.rows.push_back({"1: mixture of 1330 against cork of 300 kg/m3", "mixture fails quicker",
+    result.rows.push_back({"1: mixture of 1330 against cork of 300 kg/m3", "effect of density, if any",
                            same ? "density: no effect" : "density: an effect", "",
                            "all forces grow with the weight, in statics and in the motion from rest"});
     result.rows.push_back({"1: friction 40 to 41 against 42 to 44 deg, dry", "mixture fails quicker",

@@ -113,13 +113,13 @@ Figure plan_figure() {
     return figure;
 }
 
-struct Direction {
+struct CutDirection {
     double dip;  // rad, to the pit
     std::string words;
 };
 
-Direction direction_of(const SlopeCut& cut) {
-    Direction direction{0, cut.joint + ", "};
+CutDirection direction_of(const SlopeCut& cut) {
+    CutDirection direction{0, cut.joint + ", "};
     std::string gouge;
     if (const auto* line = std::get_if<LineCut>(&cut.trace)) {
         const SectionPoint& from = line->vertex.front();
@@ -133,8 +133,8 @@ Direction direction_of(const SlopeCut& cut) {
     return direction;
 }
 
-// Draws the dip of each joint set, of a fault and of a discontinuity as a short line with its name, in the space in
-// front of the face.
+}  // namespace
+
 void add_directions(const RelaxationSlope& slope, Figure& figure) {
     constexpr double half = 0.025;     // m, of a line
     constexpr double between = 0.065;  // m
@@ -143,7 +143,7 @@ void add_directions(const RelaxationSlope& slope, Figure& figure) {
         if (std::ranges::find(named, cut.joint) != named.end()) {
             continue;
         }
-        const Direction direction = direction_of(cut);
+        const CutDirection direction = direction_of(cut);
         const Point middle(-0.175, 0.3 - between * static_cast<double>(named.size()));
         const Point along = half * Point(std::cos(direction.dip), std::sin(direction.dip));
         figure.series.emplace_back(Line{.points = {middle - along, middle + along}, .colour = Colour::vermilion});
@@ -151,6 +151,8 @@ void add_directions(const RelaxationSlope& slope, Figure& figure) {
         named.push_back(cut.joint);
     }
 }
+
+namespace {
 
 Figure scene_figure(std::string_view name, const std::string& title) {
     const RelaxationStudy study = slope_model(name);

@@ -255,23 +255,30 @@ void add_widths(const Variation& constant, const Variation& growing, Reproductio
                                "else was varied is not printed"});
 }
 
-// `top` is the upper end of the vertical axis, the same in all figures.
-Figure figure_of(const Variation& series, double top) {
+// What is drawn over the varied value.
+struct Drawn {
+    double Response::*value;
+    double unit;
+    Axis axis;
+};
+
+Figure figure_of(const Variation& series, const Drawn& drawn) {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
-    Figure figure{.title = series.figure + ": " + series.name,
-                  .x = {.title = series.name, .unit = series.unit},
-                  .y = {.title = "failed columns of joint A", .range = std::pair(-0.05 * top, top)}};
+    Figure figure{
+        .title = series.figure + ": " + series.name, .x = {.title = series.name, .unit = series.unit}, .y = drawn.axis};
     Line means{.legend = "mean, and standard deviation between slopes"};
     Line bars{.width = 1.5};
     Points singles{.legend = "slopes whose joints run elsewhere", .colour = Colour::vermilion, .size = 0.8};
     for (std::size_t index = 0; index < series.value.size(); ++index) {
         const double at = series.value[index];
-        const Spread spread = spread_of(series.response[index], &Response::failed_columns);
-        means.points.emplace_back(at, spread.mean);
-        bars.points.insert(bars.points.end(), {Point(at, spread.mean - spread.deviation),
-                                               Point(at, spread.mean + spread.deviation), Point(at, nothing)});
+        const Spread spread = spread_of(series.response[index], drawn.value);
+        const double mean = spread.mean / drawn.unit;
+        const double deviation = spread.deviation / drawn.unit;
+        means.points.emplace_back(at, mean);
+        bars.points.insert(bars.points.end(),
+                           {Point(at, mean - deviation), Point(at, mean + deviation), Point(at, nothing)});
         for (const Response& response : series.response[index]) {
-            singles.points.emplace_back(at, response.failed_columns);
+            singles.points.emplace_back(at, response.*drawn.value / drawn.unit);
         }
     }
     figure.series = {bars, means, singles};
@@ -335,14 +342,33 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
         std::to_string(stopped) + " of " + std::to_string(made.size()) + "."});
     report.blocks.emplace_back(printed_table("Conclusions (i) to (iv)", result.rows));
     report.blocks.emplace_back(table);
-    double top = 0;
-    for (const std::optional<Response>& response : made) {
-        top = std::max(top, response ? 1.1 * response->failed_columns : 0);
-    }
+    // One vertical axis in all figures of a response.
+    const auto range = [&](double Response::*value, double unit) {
+        double top = 0;
+        for (const std::optional<Response>& response : made) {
+            top = std::max(top, response ? 1.1 * (*response).*value / unit : 0);
+        }
+        return std::pair(-0.05 * top, top);
+    };
+    const Drawn columns{&Response::failed_columns,
+                        1,
+                        {.title = "failed columns of joint A", .range = range(&Response::failed_columns, 1)}};
+    const Drawn angle{
+        &Response::surface_angle,
+        degrees(1),
+        {.title = "angle of the lower surface", .unit = "deg", .range = range(&Response::surface_angle, degrees(1))}};
+    const std::string slopes = " of " + std::to_string(members) + " slopes at each value.";
     for (std::size_t index = 0; index < series.size(); ++index) {
+        const std::string name = "trend_" + std::to_string(index + 1);
         report.blocks.emplace_back(
-            folder.draw(figure_of(series[index], top), "trend_" + std::to_string(index + 1),
-                        "Failed columns at the ground of " + std::to_string(members) + " slopes at each value."));
+            folder.draw(figure_of(series[index], columns), name, "Failed columns at the ground" + slopes));
+        // Conclusion (iv) is on this angle.
+        if (std::ranges::any_of(printed_trends(), [&](const PrintedTrend& printed) {
+                return printed.parameter == series[index].parameter && printed.response != "failed_columns";
+            })) {
+            report.blocks.emplace_back(
+                folder.draw(figure_of(series[index], angle), name + "_angle", "Angle of the lower surface" + slopes));
+        }
     }
     return result;
 }

@@ -401,7 +401,7 @@ Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
         chosen(steep, [](const BaseFrictionState& state) { return state.crack_time_to.value_or(0) > 5.5 * minute; });
     result.rows.push_back({"those that failed within five minutes", "all, very quickly",
                            of(static_cast<long>(steep.size() - slow.size()), steep.size()), "",
-                           slow.empty() ? "" : "all but " + tests_and_times(slow)});
+                           statement(slow.empty()) + (slow.empty() ? "" : ": all but " + tests_and_times(slow))});
     const States gentle = chosen(states, [](const BaseFrictionState& state) { return !is_steep(state); });
     const long stood =
         count(gentle, [](const BaseFrictionState& state) { return state.behaviour != SlopeBehaviour::unstable; });

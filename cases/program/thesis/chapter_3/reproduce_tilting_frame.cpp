@@ -246,7 +246,7 @@ struct Tally {
 Tally cracks_at_three_inches(const std::vector<RowOfHeights>& rows) {
     Tally score;
     for (const RowOfHeights& row : rows) {
-        if (row.answer && row.columns >= 8 && row.columns <= 17 && row.columns != 16) {
+        if (row.columns >= 8 && row.columns <= 17 && row.columns != 16) {
             score.add(row.crack() == std::to_string(row.columns - 3) + " and " + std::to_string(row.columns - 2),
                       row.columns);
         }
@@ -352,9 +352,13 @@ Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report) {
     result.rows.push_back({"nine columns: place of the crack", "between 6 and 7", "between " + nine.crack(), "",
                            statement(nine.crack() == "6 and 7")});
     const std::string mode = nine.answer ? nine.answer->mode : "";
-    result.rows.push_back({"nine columns: which slide, which turn", "1 slides, 2 to 6 turn", mode, "",
-                           std::to_string(std::ranges::count(mode, row_role::slides)) +
-                               " slide (S), the next turn (F with a sliding toe, P not), the last stand (0)"});
+    const auto sliding = std::ranges::count(mode, row_role::slides);
+    const auto turning = std::ssize(mode) - sliding - std::ranges::count(mode, row_role::stands);
+    result.rows.push_back(
+        {"nine columns: which slide, which turn", "1 slides, 2 to 6 turn", mode, "",
+         statement(sliding == 1 && turning == 5) + ": " + std::to_string(sliding) +
+             " slide (S), the next turn (F with a sliding toe, P not), the last stand (0), all with one "
+             "friction"});
     const auto score_row = [&](const std::string& what, const std::string& printed, const Tally& score,
                                const std::string& why = "") {
         result.rows.push_back(

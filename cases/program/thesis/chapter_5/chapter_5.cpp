@@ -368,6 +368,38 @@ std::string CountRange::words(const std::string& to) const {
     return std::to_string(least) + to + std::to_string(greatest);
 }
 
+namespace {
+
+std::vector<HockingBlock> reversed(std::vector<HockingBlock> blocks) {
+    const int last = static_cast<int>(blocks.size()) - 1;
+    for (HockingBlock& block : blocks) {
+        HockingNeighbours& near = block.neighbours;
+        for (int* index : {&near.below, &near.below_uphill, &near.uphill, &near.above_uphill, &near.above,
+                           &near.above_downhill, &near.downhill, &near.below_downhill}) {
+            *index = *index == no_block ? no_block : last - *index;
+        }
+    }
+    std::ranges::reverse(blocks);
+    return blocks;
+}
+
+}  // namespace
+
+std::vector<OtherListing> compute_otherwise(const Chapter5Run& run) {
+    std::vector<OtherListing> results;
+    for (const int bits : {48, 24}) {
+        Chapter5Run words = run;
+        words.settings.significand_bits = bits;
+        results.push_back({std::to_string(bits) + " bits", compute(words, Engine::recreated)});
+    }
+    OtherListing& last =
+        results.emplace_back("reversed", compute(run, Engine::recreated, reversed(make_blocks(run.columns))));
+    for (HockingPrint& print : last.result.prints) {
+        std::ranges::reverse(print.blocks);
+    }
+    return results;
+}
+
 std::pair<double, double> bisect(double low, double high, double accuracy, const std::function<bool(double)>& holds) {
     while (high - low > accuracy) {
         stop_if_interrupted();

@@ -39,6 +39,14 @@ struct CountRange {
 // Narrows the bracket of a value below which something holds and above which it does not, to an accuracy.
 std::pair<double, double> bisect(double low, double high, double accuracy, const std::function<bool(double)>& holds);
 
+// The re-created program on another machine, or with its data in another order: its words hold fewer bits, or the
+// blocks are listed from the last to the first. The results name the blocks as the run does.
+struct OtherListing {
+    std::string name;  // "24 bits"
+    HockingResult result;
+};
+std::vector<OtherListing> compute_otherwise(const Chapter5Run& run);
+
 // Draws CX over the cycles, also by the clean engine if its block does not fail, with the printed cycles until rest.
 Figure swings_figure(const std::string& title, const std::vector<Chapter5Run>& runs, int cycles);
 

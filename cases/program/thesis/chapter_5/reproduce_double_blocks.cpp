@@ -227,11 +227,13 @@ void observations(Chapter5Item& item) {
     const double reference = reference_of(runs);
     std::vector<HockingResult> histories;
     std::vector<HockingResult> clean_histories;
+    std::vector<std::vector<OtherListing>> otherwise;
     // The cycle for each start and run; nothing where a run blows out.
     std::vector<std::vector<std::optional<int>>> shifted(static_cast<std::size_t>(item.starts));
     for (const Chapter5Run& run : runs) {
         histories.push_back(compute(run, Engine::recreated));
         clean_histories.push_back(compute(run, Engine::dropped));
+        otherwise.push_back(compute_otherwise(run));
         const std::vector<HockingResult> others = compute_shifted(run, Engine::recreated, typed_digit, item.starts);
         CountRange range;
         for (std::size_t start = 0; start < others.size(); ++start) {
@@ -270,10 +272,20 @@ void observations(Chapter5Item& item) {
                 held += one.holds(at) ? 1 : 0;
             }
         }
+        std::string listings;
+        for (std::size_t listing = 0; listing < otherwise.front().size(); ++listing) {
+            std::string words;
+            for (const std::size_t run : one.compared) {
+                words += (words.empty() ? "" : one.separator) +
+                         in_words(cycle_of(reference, otherwise[run][listing].result));
+            }
+            listings += "; " + otherwise.front()[listing].name + ": " + words;
+        }
         item.result.json["shifted"][one.name] = {{"held", held}, {"usable", usable}};
         item.result.rows.push_back({one.what, one.printed, computed, "",
                                     statement(one.holds(cycles)) + "; in " + std::to_string(held) + " of " +
-                                        std::to_string(usable) + " starts with the last typed digits shifted",
+                                        std::to_string(usable) + " starts with the last typed digits shifted" +
+                                        listings,
                                     clean});
     }
     item.draw(figure_of_rotations(runs, histories, clean_histories), "observations",

@@ -3,6 +3,7 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -99,15 +100,7 @@ void add_history(const Chapter5Run& run, const HockingResult& reference, const s
         }
     }
     const HistoryAgreement agrees = agreement_of(printed, starts);
-    const bool one_of_them = agrees.mean >= agrees.least;
     Reproduction& result = item.result;
-    result.rows.push_back(
-        {run.name + ": rows as those of " + std::to_string(starts.size()) + " starts, on average",
-         "as starts among themselves: " + share_in_words(agrees.least) + " to " + share_in_words(agrees.greatest),
-         share_in_words(agrees.mean), "",
-         statement(one_of_them) + (one_of_them ? ": " : ": no reason found; ") + "the nearest agrees in " +
-             share_in_words(agrees.nearest) + " of blocks and rows, by chance it would be " +
-             share_in_words(agrees.by_chance)});
     Json& json = result.json["histories"][run.name];
     json = {{"mean", agrees.mean},
             {"nearest", agrees.nearest},
@@ -116,23 +109,37 @@ void add_history(const Chapter5Run& run, const HockingResult& reference, const s
             {"by_chance", agrees.by_chance}};
     const SlidingHistory unshortened = history_of(run, reference);
     std::string parted;
-    for (const int bits : {48, 24}) {
-        Chapter5Run words = run;
-        words.settings.significand_bits = bits;
-        const HockingResult in_words = compute(words, Engine::recreated);
-        const SlidingHistory history = history_of(run, in_words);
+    std::string as_starts;
+    for (const OtherListing& listing : compute_otherwise(run)) {
+        const SlidingHistory history = history_of(run, listing.result);
         const auto differs =
             std::ranges::find_if(history, [&](const auto& edit) { return edit.second != unshortened.at(edit.first); });
         const double as_printed = agreement(printed, history);
-        parted += (parted.empty() ? "" : "; ") + std::to_string(bits) + " bits: " +
-                  (in_words.outcome == HockingOutcome::blows_out ? "blows out"
-                   : differs == history.end()                    ? "never"
-                                                                 : "cycle " + std::to_string(differs->first)) +
+        parted += (parted.empty() ? "" : "; ") + listing.name + ": " +
+                  (listing.result.outcome == HockingOutcome::blows_out ? "blows out"
+                   : differs == history.end()                          ? "never"
+                                                                       : "cycle " + std::to_string(differs->first)) +
                   ", " + share_in_words(as_printed) + " of rows";
-        json["words_of_" + std::to_string(bits)] = as_printed;
+        as_starts += "; " + listing.name + ": " + share_in_words(agreement_of(history, starts).mean);
+        json[listing.name] = as_printed;
     }
+    // Where the printed table agrees least, that may be chance: of tables of one kind each is the least as often.
+    const bool alike = agrees.mean >= agrees.least;
+    const double chance = 1 / static_cast<double>(starts.size() + 1);
+    const std::string by_accident = ": less than any start; chance makes it so in " + share_in_words(chance) +
+                                    " of tables, and in " +
+                                    share_in_words(1 - std::pow(1 - chance, static_cast<double>(item.runs.size()))) +
+                                    " for one of " + number_in_words(static_cast<double>(item.runs.size()));
     result.rows.push_back(
-        {run.name + ": first row that shorter words change, and rows as printed", "", parted, "", ""});
+        {run.name + ": rows as those of " + std::to_string(starts.size()) + " starts, on average",
+         "as starts among themselves: " + share_in_words(agrees.least) + " to " + share_in_words(agrees.greatest),
+         share_in_words(agrees.mean), "",
+         statement(alike) + (alike ? "" : by_accident) + as_starts +
+             "; the nearest start agrees with the printed table in " + share_in_words(agrees.nearest) +
+             " of blocks and rows, by chance it would be " + share_in_words(agrees.by_chance)});
+    result.rows.push_back(
+        {run.name + ": first row that shorter words or blocks listed from the last change, and rows as printed", "",
+         parted, "", ""});
     item.below.blocks.emplace_back(history_table(run, printed, starts));
     item.draw(
         history_lanes(run, printed, starts), "table_" + run.name.substr(6, 1) + "_" + run.name.substr(8),

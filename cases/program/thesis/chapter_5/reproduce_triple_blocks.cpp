@@ -79,13 +79,18 @@ const std::vector<SlidingStatement>& statements() {
 // holds.
 void add_statements(const Chapter5Run& run, const HockingResult& result, int count, Reproduction& reproduction) {
     const std::vector<HockingResult> starts = compute_shifted(run, Engine::recreated, typed_digit, count);
+    const std::vector<OtherListing> listings = compute_otherwise(run);
     for (const SlidingStatement& one : statements()) {
         if (one.run == run.name) {
             const auto held = std::ranges::count_if(starts, [&](const auto& start) { return one.holds(run, start); });
+            std::string otherwise;
+            for (const OtherListing& listing : listings) {
+                otherwise += "; " + listing.name + ": " + one.computed(run, listing.result);
+            }
             reproduction.rows.push_back(
                 {"three blocks " + run.name + ": " + one.what, one.printed, one.computed(run, result), "",
                  statement(one.holds(run, result)) + "; so in " + std::to_string(held) + " of " +
-                     std::to_string(starts.size()) + " starts with the last typed digits shifted"});
+                     std::to_string(starts.size()) + " starts with the last typed digits shifted" + otherwise});
         }
     }
     if (run.name == "(ii)") {
