@@ -1,6 +1,7 @@
 #include "fitting/posterior/evidence.hpp"
 
 #include "fitting/probability/dependence.hpp"
+#include "fitting/probability/moments.hpp"
 #include "fitting/probability/sampling.hpp"
 #include "fitting/probability/student_mixture.hpp"
 
@@ -218,13 +219,8 @@ void average(const Weights& weights, const EvidenceSettings& settings, Evidence&
         means.push_back(mean);
     }
     const double mean = sum / static_cast<double>(weights.logs.size());
-    double spread = 0;
-    for (const double value : means) {
-        spread += (value - mean) * (value - mean);
-    }
-    const auto count = static_cast<double>(means.size());
     evidence.log_evidence = greatest + std::log(mean);
-    evidence.standard_error = std::sqrt(spread / (count * (count - 1))) / mean;
+    evidence.standard_error = deviation_of(means) / std::sqrt(static_cast<double>(means.size())) / mean;
     evidence.effective_size = effective_size(weights.logs);
 }
 

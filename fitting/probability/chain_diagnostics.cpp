@@ -2,12 +2,12 @@
 
 #include "fitting/probability/distribution.hpp"
 #include "fitting/probability/estimate.hpp"
+#include "fitting/probability/moments.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -54,10 +54,6 @@ std::vector<Chain> normal_scores(const std::vector<Chain>& chains) {
         first = last + 1;
     }
     return scores;
-}
-
-double mean_of(std::span<const double> values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 struct Variances {

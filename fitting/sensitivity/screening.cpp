@@ -1,26 +1,15 @@
 #include "fitting/sensitivity/screening.hpp"
 
+#include "fitting/probability/moments.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace delabole {
 
 namespace {
 
 constexpr int bootstrap_repetitions = 1000;
-
-double mean_of(std::span<const double> values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double deviation_of(std::span<const double> values, double mean) {
-    double squares = 0;
-    for (const double value : values) {
-        squares += (value - mean) * (value - mean);
-    }
-    return std::sqrt(squares / static_cast<double>(values.size() - 1));
-}
 
 // A trajectory through the grid: the level at which every parameter starts, and the order and direction in which they
 // move.
@@ -59,7 +48,7 @@ MorrisEffect effect_of(const std::vector<double>& effects, const CountedRandom& 
                    [](double value) { return std::abs(value); });
     effect.mean = mean_of(effects);
     effect.mean_absolute.value = mean_of(absolute);
-    effect.standard_deviation.value = deviation_of(effects, effect.mean);
+    effect.standard_deviation.value = deviation_of(effects);
     const auto count = static_cast<double>(effects.size());
     const std::vector<Interval> intervals = bootstrap_intervals(
         effects.size(), 2, bootstrap_repetitions, random, threads, [&](std::span<const unsigned> times) {

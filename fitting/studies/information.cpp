@@ -1,6 +1,7 @@
 #include "fitting/studies/information.hpp"
 
 #include "fitting/probability/counted_random.hpp"
+#include "fitting/probability/moments.hpp"
 #include "fitting/probability/normal_integral.hpp"
 #include "fitting/work/parallel.hpp"
 
@@ -313,15 +314,9 @@ std::optional<ExpectedReduction> about_mechanism(const std::vector<Predictor>& p
         run_tasks(outcomes.size(), threads, [&](std::size_t number) {
             after[number] = entropy_after(predictors, source, outcomes[number], deviation);
         });
-        const auto count = static_cast<double>(outcomes.size());
-        const double mean = std::accumulate(after.begin(), after.end(), 0.0) / count;
-        double squares = 0;
-        for (const double value : after) {
-            squares += (value - mean) * (value - mean);
-        }
         const double probability = predictors[source].probability;
-        result.value -= probability * mean;
-        result.error += probability * probability * squares / (count * (count - 1));
+        result.value -= probability * mean_of(after);
+        result.error += std::pow(probability * deviation_of(after), 2) / static_cast<double>(outcomes.size());
     }
     result.error = std::sqrt(result.error);
     return result;

@@ -129,26 +129,10 @@ TopplingOrder toppling_order(const std::vector<double>& frictions) {
 }
 
 void add_observation_1(const GroundwaterTest& mixture, const GroundwaterTest& cork, Reproduction& result) {
-    bool same = true;
-    for (const double slenderness : {10.0, 20.0, 40.0}) {
-        const auto motion = [&](double density) {
-            return analyse(column_on_plane(joint_dip, degrees(slenderness), cork.friction(), density));
-        };
-        const SingleBlockResult light = motion(cork.density);
-        const SingleBlockResult heavy = motion(mixture.density);
-        // The unit weight cancels, except for rounding.
-        same = same && light.onset_mode == heavy.onset_mode &&
-               std::abs(light.toe_acceleration - heavy.toe_acceleration) < 1e-12 &&
-               std::abs(light.angular_acceleration - heavy.angular_acceleration) < 1e-12;
-    }
     const double quicker = driving_force(mixture) / driving_force(cork) - 1;
-    result.rows.push_back({"1: mixture of 1330 against cork of 300 kg/m3", "effect of density, if any",
-                           same ? "density: no effect" : "density: an effect", "",
-                           "all forces grow with the weight, in statics and in the motion from rest"});
     result.rows.push_back({"1: friction 40 to 41 against 42 to 44 deg, dry", "mixture fails quicker",
                            human_number(100 * quicker, 2) + " % more driving force", "",
                            statement(quicker > 0) + " in sense by the friction, as is cork's toppling by 4"});
-    result.json["density_matters"] = !same;
     result.json["mixture_over_cork"] = quicker;
 }
 

@@ -86,12 +86,8 @@ void add_new_face(const Plate& plate, const PostFailureAnswer& end, Reproduction
 // The thesis's toppling models failed with the mixture's 40 to 41 deg of friction (2.3.3.1); those of the cases have
 // less.
 void add_own_friction(const ResultFolder& folder, const PartOfWork& part, Reproduction& result) {
-    struct OwnFriction {
-        std::string_view plate;
-        std::string_view file;
-    };
-    constexpr std::array models{OwnFriction{"2.III", "plate_2_iii"}, OwnFriction{"2.IV", "plate_2_iv"},
-                                OwnFriction{"2.V", "plate_2_v"}, OwnFriction{"2.VI", "plate_2_vi"}};
+    constexpr std::array models{Plate{"2.III", "plate_2_iii"}, Plate{"2.IV", "plate_2_iv"}, Plate{"2.V", "plate_2_v"},
+                                Plate{"2.VI", "plate_2_vi"}};
     constexpr std::array<std::string_view, 3> tilts{"0 deg", "5 deg", "10 deg"};
     std::array<double, models.size() * tilts.size()> width{};
     std::array<bool, width.size()> fails{};

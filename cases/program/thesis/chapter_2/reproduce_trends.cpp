@@ -1,14 +1,15 @@
 // Figs 2.11 to 2.14 of the thesis as trends: how much of the slope of Plate 2.III fails as its dimensions are changed,
 // one, two or several at a time, with rank correlations, beside conclusions (i) to (iv) of 2.3.4.
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
+#include "fitting/probability/moments.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -102,14 +103,9 @@ struct Spread {
 };
 
 Spread spread_of(const std::vector<Response>& responses, double Response::*value) {
-    const auto count = static_cast<double>(responses.size());
-    const double mean = std::accumulate(responses.begin(), responses.end(), 0.0,
-                                        [&](double sum, const Response& one) { return sum + one.*value; }) /
-                        count;
-    const double squares = std::accumulate(
-        responses.begin(), responses.end(), 0.0,
-        [&](double sum, const Response& one) { return sum + (one.*value - mean) * (one.*value - mean); });
-    return {mean, std::sqrt(squares / std::max(count - 1, 1.0))};
+    std::vector<double> values;
+    std::ranges::transform(responses, std::back_inserter(values), value);
+    return {mean_of(values), values.size() < 2 ? 0 : deviation_of(values)};
 }
 
 struct Variation {
@@ -234,6 +230,7 @@ void add_trend(const PrintedTrend& printed, const Variation& series, Reproductio
              human_number(rank.significance, 2) +
              (met ? ""
                   : "; the means differ by " + human_number(*greatest - *least, 2) +
+                        (of_columns ? " of a column, of which the thesis counted whole ones" : "") +
                         ", slopes whose joints run elsewhere by " + human_number(std::sqrt(variance), 2) +
                         " (standard deviation)") +
              (printed.doubt.empty() ? "" : "; in the thesis too: " + printed.doubt)});
@@ -241,10 +238,7 @@ void add_trend(const PrintedTrend& printed, const Variation& series, Reproductio
 
 // Beside its drawings Fig 2.14 states how wide the failure is at the crest.
 void add_widths(const Variation& constant, const Variation& growing, Reproduction& result) {
-    const auto mean = [](const Variation& series) {
-        const std::vector<double> widths = means_of(series, &Response::failed_width);
-        return std::accumulate(widths.begin(), widths.end(), 0.0) / static_cast<double>(widths.size());
-    };
+    const auto mean = [](const Variation& series) { return mean_of(means_of(series, &Response::failed_width)); };
     const double one = mean(constant);
     const double other = mean(growing);
     result.rows.push_back({"Fig 2.14: failed width, cleavage inclination constant / growing",

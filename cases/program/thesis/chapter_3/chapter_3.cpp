@@ -9,8 +9,8 @@ ReproductionChapter chapter_3() {
             "physical model tests, chapter 3",
             "Thesis, chapter 3: printed and computed",
             {
-                {"table3.2", "3.4.1, Table 3.2",
-                 "base friction tests: what the tables say of the text, and what guessing scores", reproduce_table_3_2},
+                {"table3.2", "3.4.1, Table 3.2", "base friction tests: what the tables say of the text",
+                 reproduce_table_3_2},
                 {"plates3", "Plates 3.I to 3.XIII", "the base friction models drawn, with their printed crack paths",
                  reproduce_base_friction_plates},
                 {"base_friction", "3.2, Table 3.2",

@@ -316,21 +316,17 @@ Line heights_line(const std::vector<RowOfHeights>& rows, const std::string& lege
 Figure heights_figure(const std::vector<RowOfHeights>& rows, double friction, double printed_tilt) {
     Figure figure = tilt_figure("Fig 3.7: columns of growing and falling height", "number of columns", "");
     figure.y.range = tilts_of_rows;
-    const auto at = [](double angle) { return "friction " + human_number(angle / degrees(1), 3) + "°"; };
-    constexpr double other_friction = degrees(30);  // that of chapter 5's nine columns
     Points printed;
     printed.legend = "printed: nine columns, 16°";
     printed.colour = Colour::vermilion;
     printed.points = {Point(9, printed_tilt / degrees(1))};
-    const auto row_tilt = [](const RowOfHeights& row) { return row.tilt(); };
-    figure.series = {
-        heights_line(rows, "highest column alone", Colour::grey, Dash::solid,
-                     [](const RowOfHeights& row) { return row.highest_alone; }),
-        heights_line(rows, "average height alone", Colour::grey, Dash::dashed,
-                     [](const RowOfHeights& row) { return row.average_alone; }),
-        heights_line(rows, at(friction), Colour::blue, Dash::solid, row_tilt),
-        heights_line(rows_of_heights(other_friction), at(other_friction), Colour::blue, Dash::dashed, row_tilt),
-        printed};
+    figure.series = {heights_line(rows, "highest column alone", Colour::grey, Dash::solid,
+                                  [](const RowOfHeights& row) { return row.highest_alone; }),
+                     heights_line(rows, "average height alone", Colour::grey, Dash::dashed,
+                                  [](const RowOfHeights& row) { return row.average_alone; }),
+                     heights_line(rows, "friction " + human_number(friction / degrees(1), 3) + "°", Colour::blue,
+                                  Dash::solid, [](const RowOfHeights& row) { return row.tilt(); }),
+                     printed};
     return figure;
 }
 

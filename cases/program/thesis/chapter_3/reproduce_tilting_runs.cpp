@@ -6,6 +6,7 @@
 #include "cases/program/thesis/chapter_4/chapter_4.hpp"
 #include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
 #include "cases/program/thesis/physical_models.hpp"
+#include "fitting/probability/moments.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/extent.hpp"
 #include "plots/drawing/text.hpp"
@@ -14,10 +15,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <numeric>
+#include <set>
 
 namespace delabole {
 
@@ -36,20 +38,8 @@ struct Sampled {
     double x = 0;
     std::vector<double> value = {};  // rad
 
-    double mean() const {
-        double sum = 0;
-        for (const double one : value) {
-            sum += one;
-        }
-        return value.empty() ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(value.size());
-    }
-    double deviation() const {
-        double squares = 0;
-        for (const double one : value) {
-            squares += (one - mean()) * (one - mean());
-        }
-        return value.size() < 2 ? 0 : std::sqrt(squares / static_cast<double>(value.size() - 1));
-    }
+    double mean() const { return mean_of(value); }
+    double deviation() const { return value.size() < 2 ? 0 : deviation_of(value); }
 };
 
 struct Curve {
@@ -249,26 +239,41 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
     constexpr int least = 3;
     constexpr int most = 18;
     std::vector<Curve> curves = {{"rows", Colour::blue, places(least, most)}};
-    // By whether friction scatters: the places of the cracks, as columns behind them.
+    // Cracks of the rows of 8 to 17 columns but 16, by whether friction scatters; elsewhere: their numbers of columns.
+    struct Cracks {
+        int at_three_inches = 0;
+        std::multiset<int> elsewhere = {};
+        std::string words() const {
+            return std::to_string(at_three_inches) + " of " + std::to_string(at_three_inches + std::ssize(elsewhere));
+        }
+    };
     std::mutex counting;
-    std::array<std::map<int, std::vector<int>>, 2> behind;
-    const auto crack_tilt = [&](const Sampled& at, bool scatters, std::uint64_t seed) -> std::optional<double> {
+    Cracks scattered;
+    Cracks even;
+    const auto crack_tilt = [&](const Sampled& at, double deviation, std::uint64_t seed,
+                                Cracks& cracks) -> std::optional<double> {
         const int columns = static_cast<int>(at.x);
         FrameRow row{growing_and_falling(columns), scattered_plaster_friction(), seed};
-        row.friction.deviation = scatters ? row.friction.deviation : 0;
+        row.friction.deviation *= deviation;
         const std::optional<FrameFailure> failure = tilt_until_failure(row);
         if (!failure) {
             return std::nullopt;
         }
-        const std::scoped_lock lock(counting);
-        behind[scatters ? 1 : 0][columns].push_back(columns - static_cast<int>(failure->crack_after));
+        if (columns >= 8 && columns <= 17 && columns != 16) {
+            const std::scoped_lock lock(counting);
+            if (failure->crack_after + 3 == static_cast<std::size_t>(columns)) {
+                ++cracks.at_three_inches;
+            } else {
+                cracks.elsewhere.insert(columns);
+            }
+        }
         return std::min(failure->tilt, failure->crack_tilt);
     };
     sample(curves, 2, folder, {"rows of growing and falling height", 0.6, 0.85},
-           [&](std::size_t, const Sampled& at, std::uint64_t seed) { return crack_tilt(at, true, seed); });
-    std::vector<Curve> even = {{"without scatter", Colour::black, places(least, most)}};
-    sample(even, 1, folder, {"rows without scatter", 0.85, 1},
-           [&](std::size_t, const Sampled& at, std::uint64_t seed) { return crack_tilt(at, false, seed); });
+           [&](std::size_t, const Sampled& at, std::uint64_t seed) { return crack_tilt(at, 1, seed, scattered); });
+    std::vector<Curve> without_scatter = {{"", Colour::black, places(least, most)}};
+    sample(without_scatter, 1, folder, {"rows without scatter", 0.85, 1},
+           [&](std::size_t, const Sampled& at, std::uint64_t seed) { return crack_tilt(at, 0, seed, even); });
     const auto steps_down = [](const std::vector<Sampled>& rows) {
         int falling = 0;
         for (std::size_t place = 1; place < rows.size(); ++place) {
@@ -276,40 +281,18 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
         }
         return falling;
     };
-    // "4 of 9 (10, 12, ... columns)": those with the crack in front of the column of 3 in, which has two behind it.
-    std::array<std::string, 2> at_three_inches;
-    bool all = true;
-    for (std::size_t scatters = 0; scatters < behind.size(); ++scatters) {
-        int met = 0;
-        int cracks = 0;
-        for (const auto& [columns, places_of_cracks] : behind[scatters]) {
-            if (columns >= 8 && columns <= 17 && columns != 16) {
-                cracks += static_cast<int>(places_of_cracks.size());
-                met += static_cast<int>(std::ranges::count(places_of_cracks, 3));
-            }
-        }
-        at_three_inches[scatters] = std::to_string(met) + " of " + std::to_string(cracks);
-        all = all && met == cracks;
-    }
-    std::string elsewhere;
-    for (const auto& [columns, places_of_cracks] : behind[0]) {
-        if (columns >= 8 && columns <= 17 && columns != 16 && places_of_cracks.front() != 3) {
-            elsewhere += (elsewhere.empty() ? "" : ", ") + std::to_string(columns) + " columns " +
-                         std::to_string(places_of_cracks.front());
-        }
-    }
     const int falling = steps_down(curves.front().at);
-    result.rows.push_back(
-        {"one column more in a row of growing and falling height", "less stable",
-         std::to_string(falling) + " of " + std::to_string(most - least), "",
-         statement(falling == most - least) + ": without scatter " + std::to_string(steps_down(even.front().at))});
+    result.rows.push_back({"one column more in a row of growing and falling height", "less stable",
+                           std::to_string(falling) + " of " + std::to_string(most - least), "",
+                           statement(falling == most - least) + ": without scatter " +
+                               std::to_string(steps_down(without_scatter.front().at))});
+    std::vector<std::string> others;
+    std::ranges::transform(even.elsewhere, std::back_inserter(others), [](int one) { return std::to_string(one); });
     result.rows.push_back({"first crack in front of the column of 3 in, 8 to 17 columns but 16", "in all",
-                           at_three_inches[1], "",
-                           statement(all) + ": without scatter " + at_three_inches[0] +
-                               "; there columns behind the crack: " + elsewhere});
-    result.json["rows"] = {{"falling", falling},
-                           {"at_three_inches", at_three_inches[1]},
-                           {"at_three_inches_without_scatter", at_three_inches[0]}};
+                           scattered.words(), "",
+                           statement(scattered.elsewhere.empty() && even.elsewhere.empty()) + ": without scatter " +
+                               even.words() + ", elsewhere with " + list_in_words(others) + " columns"});
+    result.json["rows"] = {{"falling", falling}, {"cracks", scattered.words()}, {"without_scatter", even.words()}};
     Figure figure = tilt_figure("Fig 3.7 as runs: growing and falling height", "number of columns", "");
     figure.series.emplace_back(curve(
         least, most, "highest column alone", Colour::grey, Dash::dashed,

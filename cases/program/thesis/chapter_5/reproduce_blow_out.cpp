@@ -48,28 +48,12 @@ CountRange blow_outs(const std::vector<HockingResult>& results) {
     return found;
 }
 
-// Inclinations go from half a degree below atan(b/a) to half a degree above.
-constexpr int inclinations = 51;
-constexpr int middle = inclinations / 2;
-
 Chapter5Run of_slenderness(const Chapter5Run& run, double slenderness) {
     Chapter5Run other = run;
     other.columns.heights.assign(2, slenderness * inch);
     other.columns.base_height = slenderness * inch;
     other.settings.stiffness = run.settings.stiffness * run.columns.width / run.columns.heights[0] * slenderness;
     return other;
-}
-
-int over_inclinations(const Chapter5Run& run, double slenderness, double coordinate_unit) {
-    std::vector<HockingResult> results;
-    for (int step = 0; step < inclinations; ++step) {
-        stop_if_interrupted();
-        Chapter5Run other = of_slenderness(run, slenderness);
-        other.columns.coordinate_unit = coordinate_unit;
-        other.columns.dip = std::atan(1 / slenderness) + degrees(0.02) * (step - middle);
-        results.push_back(compute(other, Engine::recreated));
-    }
-    return blow_outs(results).count;
 }
 
 // Describes the slot that serves block 1's uphill foot against block 2; `before` is the print one cycle earlier.
@@ -150,20 +134,6 @@ void blow_outs_of_shifted_starts(Chapter5Item& item) {
             item.result.json["shifted_starts"][row.front()][variant.name] = found.count;
         }
         row.insert(row.end(), {std::to_string(listed.least), std::to_string(listed.greatest)});
-    }
-}
-
-void blow_outs_over_inclinations(Chapter5Item& item) {
-    for (const double slenderness : {3.0, 5.0, 7.0, 10.0}) {
-        for (const double unit : {typed_digit / 10, 0.0}) {
-            std::vector<std::string>& row = item.table.rows.emplace_back(
-                std::vector<std::string>{human_number(slenderness, 2), unit > 0 ? "typed to 1e-7 m" : "exact"});
-            for (const Variant& variant : variants()) {
-                const int count = over_inclinations(varied(item.runs.front(), variant), slenderness, unit);
-                row.push_back(std::to_string(count));
-                item.result.json["over_inclinations"][variant.name].push_back(count);
-            }
-        }
     }
 }
 

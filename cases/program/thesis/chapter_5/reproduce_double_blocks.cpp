@@ -292,36 +292,4 @@ void observations(Chapter5Item& item) {
               "Stiffness, time step and damping; dashed: clean engine, dropped.");
 }
 
-// The same runs with another friction than the printed 20 deg, in all joints.
-void observations_by_friction(Chapter5Item& item) {
-    int slowest = 0;  // cycles of the softer pair, where the stiffer one moves that far
-    double slowest_at = 0;
-    for (int tenth = 200; tenth <= 250; ++tenth) {
-        const double friction = degrees(tenth / 10.0);
-        std::vector<std::string> row{human_number(tenth / 10.0, 3)};
-        double reference = 0;
-        std::vector<Chapter5Run> runs = item.runs;
-        for (std::size_t index = 0; index < runs.size(); ++index) {
-            Chapter5Run& run = runs[index];
-            run.settings.joints = run.settings.bases = {friction, friction};
-            run.settings.cycles = 12000;
-            const HockingResult computed = compute(run, Engine::recreated);
-            reference = index == 0 ? reference_of(runs) : reference;
-            const auto cycle = cycle_of(reference, computed);
-            row.push_back(cycle ? std::to_string(*cycle) : human_name(word_of(computed.outcome)));
-            if (index == 1 && cycle && *cycle > slowest) {
-                slowest = *cycle;
-                slowest_at = tenth / 10.0;
-            }
-        }
-        if (tenth % 5 == 0 || (tenth > 235 && tenth < 240)) {
-            item.table.rows.push_back(row);
-        }
-    }
-    item.result.rows.push_back(
-        {"6e6 N/m: slowest with a friction of 20 to 25 deg", "7000, 20 deg",
-         std::to_string(slowest) + ", " + human_number(slowest_at, 3) + " deg", "",
-         "other frictions reach thousands of cycles, but where they do the pair of half the step stands"});
-}
-
 }  // namespace delabole

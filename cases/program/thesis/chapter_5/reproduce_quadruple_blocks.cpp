@@ -211,12 +211,6 @@ void histories_of_four_blocks(Chapter5Item& item) {
         result.rows.push_back({run.name + ": first print that a shift of 1e-15 m changes", "",
                                "cycle " + std::to_string(parted), "", "",
                                clean_parted > 0 ? "cycle " + std::to_string(clean_parted) : std::string("none")});
-        const auto rotations = [&](const HockingResult& history) {
-            return human_number(rotation_at_end(history, 0), 3) + " / " +
-                   human_number(rotation_at_end(history, computed.size() - 1), 3) + " deg";
-        };
-        result.rows.push_back({run.name + ": rotation of blocks 1 / 4 at the end", "", rotations(reference), "", "",
-                               rotations(clean_reference)});
     }
     result.json["printed_totals_within_range"] = count.within;
     result.json["printed_totals"] = count.totals;
