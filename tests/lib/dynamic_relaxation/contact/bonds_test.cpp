@@ -321,7 +321,7 @@ RelaxationSettings dropped(std::size_t threads) {
     return settings;
 }
 
-std::size_t broken(const Simulation& simulation) {
+std::size_t number_broken(const Simulation& simulation) {
     return simulation.result().broken_bonds;
 }
 
@@ -341,13 +341,13 @@ TEST(Bonds, GoOnFromCheckpointsAndForAnyNumberOfThreads) {
         divided.step();
     }
     const std::string end = checkpoint_of(scene, whole.settings(), whole.state());
-    EXPECT_GT(broken(whole), 0U);
-    EXPECT_LT(broken(whole), scene.bond.size());
+    EXPECT_GT(number_broken(whole), 0U);
+    EXPECT_LT(number_broken(whole), scene.bond.size());
     EXPECT_TRUE(checkpoint_of(scene, divided.settings(), divided.state()) == end);
     RestoredState restored = restore_checkpoint(middle, scene, whole.settings());
     ASSERT_EQ(restored.check, CheckpointCheck::ok);
     Simulation rest(scene, whole.settings(), std::move(restored.state));
-    EXPECT_LT(broken(rest), broken(whole)) << "nothing breaks in the second half";
+    EXPECT_LT(number_broken(rest), number_broken(whole)) << "nothing breaks in the second half";
     for (int step = steps / 2; step < steps; ++step) {
         rest.step();
     }

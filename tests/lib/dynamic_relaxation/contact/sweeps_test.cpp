@@ -54,7 +54,7 @@ bool same_memory(const ContactList& one, const ContactList& other) {
     return true;
 }
 
-class Shaken : public testing::Test {
+class Shaken : public ::testing::Test {
   protected:
     Shaken() : displacement(bodies.size(), 0), motion(bodies.size()), moved(bodies.size(), 1) {}
 
@@ -103,7 +103,7 @@ class Shaken : public testing::Test {
         find_contacts(scene, bodies, motion, std::vector<char>(bodies.size(), 0), {0.01, 0.2, true, {}}, {});
 };
 
-class ContactLoops : public Shaken, public testing::WithParamInterface<ContactLoop> {};
+class ContactLoops : public Shaken, public ::testing::WithParamInterface<ContactLoop> {};
 
 TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
     ContactList one_by_one;
@@ -256,8 +256,10 @@ TEST_P(ContactLoops, GiveTheSameBitsBesideABlockThatIsLost) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, ContactLoops, testing::ValuesIn(contact_loops().begin(), contact_loops().end()),
-                         [](const testing::TestParamInfo<ContactLoop>& loop) { return std::string(loop.param.name); });
+INSTANTIATE_TEST_SUITE_P(, ContactLoops, ::testing::ValuesIn(contact_loops().begin(), contact_loops().end()),
+                         [](const ::testing::TestParamInfo<ContactLoop>& loop) {
+                             return std::string(loop.param.name);
+                         });
 
 TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     BlockScales scales;
