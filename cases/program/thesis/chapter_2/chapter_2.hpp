@@ -64,6 +64,8 @@ struct RankCorrelation {
 // factorial of the length.
 RankCorrelation rank_correlation(const std::vector<double>& parameter, const std::vector<double>& response);
 
+constexpr double joint_a_dip = degrees(70);  // of the models (2.3.3)
+
 // Returns the base friction model of a file, named without its ending: "plate_2_iii". The models of the west face of
 // Delabole, as they are run, are in cases/thesis/chapter_2/*.toml, which are built into the program. Throws
 // std::logic_error if there is none of that name.

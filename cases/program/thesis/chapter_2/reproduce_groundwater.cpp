@@ -19,15 +19,14 @@ namespace delabole {
 
 namespace {
 
-constexpr double joint_dip = degrees(70);
 constexpr double gravity = 9.81;
 
 bool leaves_joint(double rotation) {
-    return joint_dip + rotation >= degrees(90);
+    return joint_a_dip + rotation >= degrees(90);
 }
 
 double driving_force(double rotation, double friction) {
-    const double dip = joint_dip + rotation;
+    const double dip = joint_a_dip + rotation;
     return std::sin(dip) - std::cos(dip) * std::tan(friction);
 }
 
@@ -55,7 +54,7 @@ Table tests_table(const std::vector<GroundwaterTest>& tests) {
                               number_in_words(test.friction_least / degrees(1)) + " to " +
                                   number_in_words(test.friction_most / degrees(1)),
                               number_in_words(test.rotation / degrees(1)),
-                              leaves ? "none" : human_number(std::cos(joint_dip + test.rotation), 3),
+                              leaves ? "none" : human_number(std::cos(joint_a_dip + test.rotation), 3),
                               leaves ? "leaves the joint" : human_number(driving_force(test), 3), test.plate});
     }
     return table;
@@ -74,7 +73,7 @@ Figure driving_figure(const std::vector<GroundwaterTest>& tests) {
             Line line{.legend = test.material + ", friction " + human_number(friction / degrees(1), 3) + "°",
                       .colour = colours[frictions.size() % colours.size()]};
             for (int step = 0; step <= 100; ++step) {
-                const double rotation = (degrees(90) - joint_dip) * step / 100;
+                const double rotation = (degrees(90) - joint_a_dip) * step / 100;
                 line.points.emplace_back(rotation / degrees(1), driving_force(rotation, friction));
             }
             figure.series.emplace_back(line);
@@ -149,12 +148,12 @@ void add_observation_2(const ColumnTilt& full, Reproduction& result) {
     }
     // Water force U on the joint takes the place of its reaction where U = W cos d; U grows with the square of the
     // depth.
-    const double leaving = std::sqrt(std::cos(joint_dip) / full.water_force_over_weight);
+    const double leaving = std::sqrt(std::cos(joint_a_dip) / full.water_force_over_weight);
     result.rows.push_back({"2: fully saturated", "column hangs over",
                            "U / W = " + human_number(full.water_force_over_weight, 3) +
-                               ", cos 70 deg = " + human_number(std::cos(joint_dip), 3),
+                               ", cos 70 deg = " + human_number(std::cos(joint_a_dip), 3),
                            "",
-                           statement(full.water_force_over_weight > std::cos(joint_dip)) +
+                           statement(full.water_force_over_weight > std::cos(joint_a_dip)) +
                                ": water lifts the column off the joint once it is filled to " +
                                human_number(100 * leaving, 3) + " %"});
     result.json["water_force_over_weight"] = full.water_force_over_weight;
@@ -198,7 +197,7 @@ void add_observation_4(Reproduction& result) {
 
 Reproduction reproduce_groundwater(const ResultFolder& folder, Report& report) {
     const std::vector<GroundwaterTest> tests = groundwater_tests();
-    const ColumnTilt full = analyse(TiltedColumn<>{joint_dip, degrees(47.5), 1.0});
+    const ColumnTilt full = analyse(TiltedColumn<>{joint_a_dip, degrees(47.5), 1.0});
     Reproduction result;
     add_observation_1(tests_with("mixture", 0).front(), tests_with("cork", 0).front(), result);
     add_observation_2(full, result);

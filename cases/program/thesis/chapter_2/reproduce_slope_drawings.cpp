@@ -270,6 +270,15 @@ Figure water_figure() {
     return figure;
 }
 
+std::string model_name(const std::string& set) {
+    std::string name = human_name(set);
+    constexpr std::string_view prefix = "joint set ";
+    if (name.starts_with(prefix)) {
+        name = "joint " + std::string(1, static_cast<char>(std::toupper(name.back())));
+    }
+    return name;
+}
+
 // Fig 2.1 is drawn from the ranges that the text prints, because the poles themselves are not available.
 Figure stereonet_figure(const Kinematics& model, const KinematicsResult& sets) {
     StereonetDrawing drawing{.title = "Fig 2.1: joint sets of the west face",
@@ -278,18 +287,9 @@ Figure stereonet_figure(const Kinematics& model, const KinematicsResult& sets) {
                              .lateral_limit = model.lateral_limit};
     for (std::size_t set = 0; set < sets.joint_set.size(); ++set) {
         const JointSetFeasibility& own = sets.joint_set[set];
-        drawing.joint_set.push_back({own.name, own.mean, sets.sampled[set], sets.sampled_weights[set]});
+        drawing.joint_set.push_back({model_name(own.name), own.mean, sets.sampled[set], sets.sampled_weights[set]});
     }
     return pole_figure(drawing);
-}
-
-std::string model_name(const std::string& set) {
-    std::string name = human_name(set);
-    constexpr std::string_view prefix = "joint set ";
-    if (name.starts_with(prefix)) {
-        name = "joint " + std::string(1, static_cast<char>(std::toupper(name.back())));
-    }
-    return name;
 }
 
 // Draws the mean planes of the sets in the section across the face, through one point.

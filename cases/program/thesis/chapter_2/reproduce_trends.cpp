@@ -19,7 +19,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double joint_a_dip = degrees(70);
 constexpr double duration = 0.8;  // s; the belt runs by 16 cm
 // The slopes of one geometry differ in where their joints run, since the thesis does not print where they were cut.
 constexpr std::size_t members = 4;

@@ -362,8 +362,8 @@ Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report) {
         result.json[what] = score.json();
     };
     score_row("crack in front of the column of 3 in, 8 to 17 columns but 16", "in all", cracks_at_three_inches(rows),
-              ", which with this one friction everywhere fail below 14.04 deg, where the column of 4 in still stands "
-              "by itself");
+              "; those of 13 and 14 fail below 14.04 deg with this one friction, where the column of 4 in still stands "
+              "by itself, the others have no admissible mode, but fail in motion (Fig 3.7 as runs)");
     score_row("one column more", "less stable", fall_with_number(rows));
     score_row("even numbers of columns against odd ones", "slightly more stable", even_numbers_stabler(rows));
     score_row("rows between the highest column alone and the average one", "may be the limits",
