@@ -54,14 +54,14 @@ Fig28Solution solve_fig_2_8(FilledFraction reading, double unit_weight);
 // Returns the factor of safety over the filled fraction, from 0 to 1, as long as the water stays within the crack.
 Polyline fig_2_8_curve(FilledFraction reading, double unit_weight, double z, double cohesion);
 
-// Tells whether one quantity rises or falls with another, for a few values (Spearman 1904).
+// Tells whether one quantity rises or falls with another (Spearman 1904).
 struct RankCorrelation {
     double value;         // -1 to 1; 0 where either does not change
-    double significance;  // share of all orders of the responses whose correlation is as strong, either way
+    double significance;  // probability of a correlation as strong, either way, where there is none; 0 to 1
 };
 
-// Ties get their mean rank. Both lists have the same length, two to nine: the result is exact, at a cost that is the
-// factorial of the length.
+// Ties get their mean rank. Both lists have the same length, three or more. The significance is by Student's t, to 0.02
+// from eight values on.
 RankCorrelation rank_correlation(const std::vector<double>& parameter, const std::vector<double>& response);
 
 constexpr double joint_a_dip = degrees(70);  // of the models (2.3.3)
