@@ -39,8 +39,9 @@ struct alignas(8 * sizeof(double)) EdgeEndsOf {
     // The rival edge; the less deep one of the two bears. 1 or -1: the edge beyond this edge's start or end, on which
     // the corner could also bear. 2 or -2: an edge of the corner's block, on which that end could bear. 0: no rival.
     Number rival;
-    // With a rival this is the sine of the interior angle between the two in the initial geometry. Without one it tells
-    // that a tip stands on a bend and bears on this edge alone: the sine of the bend, negative at the edge's end.
+    // If there is a rival: sine of the interior angle between the two edges in the initial geometry. If there is none
+    // and a tip stands on a bend, bearing on this edge alone: sine of the bend, negative at the edge's end. Otherwise
+    // 0.
     Number rival_sine;
     Number rival_cosine;
     // 1 if only one of the two may bear at a time; 2 if, moreover, no other edge of the block may bear at that end, and

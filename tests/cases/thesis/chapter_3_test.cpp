@@ -1,7 +1,9 @@
 // Tests what `delabole reproduce chapter3` prints, and `chapter2` for its models.
 #include "cases/program/commands/commands.hpp"
+#include "cases/program/thesis/physical_models.hpp"
 #include "tests/cases/thesis/reproduction_fixture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -54,6 +56,13 @@ TEST_F(Chapter3, TablesMeetTheText) {
     const Json& behaviour = result.json["behaviour"];
     EXPECT_EQ(behaviour["S"].get<int>() + behaviour["L.E."].get<int>() + behaviour["U"].get<int>(), 52);
     EXPECT_EQ(result.json["steep"]["failed"], result.json["steep"]["of"]);
+    const std::vector<BaseFrictionState> states = base_friction_states();
+    EXPECT_EQ(states.size(), 52U);
+    const auto at_80 = [](const BaseFrictionState& state) { return std::abs(state.slope_angle - degrees(80)) < 1e-9; };
+    EXPECT_EQ(std::ranges::count_if(states, at_80), 6);
+    EXPECT_TRUE(std::ranges::all_of(states, [&](const BaseFrictionState& state) {
+        return !at_80(state) || state.behaviour == SlopeBehaviour::unstable;
+    }));
 }
 
 TEST_F(Chapter3, CrackPathOfARunBesideThePrintedOne) {

@@ -158,6 +158,26 @@ TEST_F(Chapter5, BlowOut) {
     }
 }
 
+// From half a degree below atan(b/a) to half a degree above.
+TEST(Chapter5BlowOut, NoneWithSlotsPerFaceAtAnyInclination) {
+    const Chapter5Run printed = chapter_5_runs("blow_out").front();
+    for (const double slenderness : {3.0, 5.0, 7.0, 10.0}) {
+        Chapter5Run run = printed;
+        run.settings.slot_memory = HockingSlotMemory::per_face;
+        run.columns.heights.assign(2, slenderness * inch);
+        run.columns.base_height = slenderness * inch;
+        run.settings.stiffness *= slenderness * printed.columns.width / printed.columns.heights[0];
+        for (const double unit : {typed_digit / 10, 0.0}) {
+            run.columns.coordinate_unit = unit;
+            for (int step = -25; step <= 25; ++step) {
+                run.columns.dip = std::atan(1 / slenderness) + degrees(0.02) * step;
+                EXPECT_FALSE(compute(run, Engine::recreated).blow_out_cycle)
+                    << slenderness << ", " << unit << ", " << step;
+            }
+        }
+    }
+}
+
 TEST(Chapter5Tables, PrintedRowsAddUpToPrintedTotals) {
     for (const Chapter5Run& run : chapter_5_runs("quadruple")) {
         std::vector<SlidingTotals> sums(4);

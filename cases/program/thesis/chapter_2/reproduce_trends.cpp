@@ -252,7 +252,7 @@ void add_widths(const Variation& constant, const Variation& growing, Reproductio
                                "else was varied is not printed"});
 }
 
-// What is drawn over the varied value.
+// A figure shows this response over the varied value.
 struct Drawn {
     double Response::*value;
     double unit;
@@ -286,6 +286,7 @@ Figure figure_of(const Variation& series, const Drawn& drawn) {
 
 Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
     std::vector<Variation> series = all_series();
+    const std::vector<PrintedTrend> trends = printed_trends();
     std::vector<std::optional<Response>> made(series.size() * points * members);
     run_part(folder, {"slopes", 0, 1}, made.size(), [&](std::size_t task) {
         const std::size_t trial = task / members;
@@ -321,7 +322,7 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
                  {"failed_columns_deviation", spread_of(responses, &Response::failed_columns).deviation},
                  {"surface_angle_deg", spread_of(responses, &Response::surface_angle).mean / degrees(1)}});
         }
-        for (const PrintedTrend& printed : printed_trends()) {
+        for (const PrintedTrend& printed : trends) {
             if (printed.parameter == one.parameter) {
                 add_trend(printed, one, result);
             }
@@ -360,7 +361,7 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
         report.blocks.emplace_back(
             folder.draw(figure_of(series[index], columns), name, "Failed columns at the ground" + slopes));
         // Conclusion (iv) is on this angle.
-        if (std::ranges::any_of(printed_trends(), [&](const PrintedTrend& printed) {
+        if (std::ranges::any_of(trends, [&](const PrintedTrend& printed) {
                 return printed.parameter == series[index].parameter && printed.response != "failed_columns";
             })) {
             report.blocks.emplace_back(

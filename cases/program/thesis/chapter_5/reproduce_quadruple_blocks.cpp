@@ -123,7 +123,7 @@ void add_history(const Chapter5Run& run, const HockingResult& reference, const s
         as_starts += "; " + listing.name + ": " + share_in_words(agreement_of(history, starts).mean);
         json[listing.name] = as_printed;
     }
-    // Where the printed table agrees least, that may be chance: of tables of one kind each is the least as often.
+    // One of the starts and the printed table has to agree least: by chance alone each is as likely to.
     const bool alike = agrees.mean >= agrees.least;
     const double chance = 1 / static_cast<double>(starts.size() + 1);
     const std::string by_accident = ": less than any start; chance makes it so in " + share_in_words(chance) +
