@@ -250,11 +250,11 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
     std::mutex counting;
     Cracks scattered;
     Cracks even;
-    const auto crack_tilt = [&](const Sampled& at, double deviation, std::uint64_t seed,
+    const auto crack_tilt = [&](const Sampled& at, bool scatters, std::uint64_t seed,
                                 Cracks& cracks) -> std::optional<double> {
         const int columns = static_cast<int>(at.x);
         FrameRow row{growing_and_falling(columns), scattered_plaster_friction(), seed};
-        row.friction.deviation *= deviation;
+        row.friction.deviation = scatters ? row.friction.deviation : 0;
         const std::optional<FrameFailure> failure = tilt_until_failure(row);
         if (!failure) {
             return std::nullopt;
@@ -270,10 +270,10 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
         return std::min(failure->tilt, failure->crack_tilt);
     };
     sample(curves, 2, folder, {"rows of growing and falling height", 0.6, 0.85},
-           [&](std::size_t, const Sampled& at, std::uint64_t seed) { return crack_tilt(at, 1, seed, scattered); });
+           [&](std::size_t, const Sampled& at, std::uint64_t seed) { return crack_tilt(at, true, seed, scattered); });
     std::vector<Curve> without_scatter = {{"", Colour::black, places(least, most)}};
     sample(without_scatter, 1, folder, {"rows without scatter", 0.85, 1},
-           [&](std::size_t, const Sampled& at, std::uint64_t seed) { return crack_tilt(at, 0, seed, even); });
+           [&](std::size_t, const Sampled& at, std::uint64_t seed) { return crack_tilt(at, false, seed, even); });
     const auto steps_down = [](const std::vector<Sampled>& rows) {
         int falling = 0;
         for (std::size_t place = 1; place < rows.size(); ++place) {
