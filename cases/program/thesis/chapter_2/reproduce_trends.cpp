@@ -331,8 +331,10 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
     add_widths(series[series.size() - 2], series.back(), result);
     report.blocks.emplace_back(Heading{"Figs 2.11 to 2.14: what dimensions of the slope do (2.3.4)"});
     report.blocks.emplace_back(Paragraph{
-        "The significance is that of the rank correlation over all slopes of a parameter; above 0.1 no change is "
-        "stated. Joints have 25° of friction, with which the model of Plate 2.III fails as the thesis's "
+        "The significance is that of the rank correlation over all slopes of a parameter. Above 0.1, or where the "
+        "means "
+        "differ by less than a tenth of a column or 2 deg, no change is stated. Joints have 25° of friction, with "
+        "which the model of Plate 2.III fails as the thesis's "
         "did. The fault is that of Plate 2.VI, on which joint B ends, turned about where it comes out in the face; "
         "which way the faults dip is not legible, nor what was varied together in Figs 2.13 and 2.14. The thesis "
         "counted whole columns of mostly two slopes and could not see less than half of one. Runs that stopped "
