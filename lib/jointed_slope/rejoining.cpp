@@ -9,9 +9,9 @@ namespace delabole {
 
 namespace {
 
-// A sliver that cannot be merged is taken away as crushed if it is below both limits, which are shares of the median
-// block's area and size. Blocks that rested on so small a sliver still rest on others. If it were kept, it would slip
-// out by itself before the slope fails.
+// A sliver that cannot be merged is taken away as crushed if joints alone bound it and it is below both limits, which
+// are shares of the median block's area and size. Blocks that rested on so small a sliver still rest on others. If it
+// were kept, it would slip out by itself before the slope fails.
 constexpr double greatest_crushed_share = SlopeGeometry::standard_sliver_share;
 constexpr double greatest_crushed_length = 0.5;
 
@@ -38,6 +38,16 @@ double width_of(const Polygon<>& outline, double rounding) {
         least = std::min(least, distance(farthest));
     }
     return least;
+}
+
+// Whether a face is a part of the rock beside it, divided from it only because blocks are convex.
+bool is_part_of_a_block(const SectionMesh& mesh, MeshIndex face) {
+    bool part = false;
+    mesh.for_each_edge(face, [&](MeshIndex edge) {
+        const HalfEdge& half = mesh.edge(edge);
+        part = part || (half.joint == intact_rock && half.twin != no_index && same_rock(mesh, edge));
+    });
+    return part;
 }
 
 bool is_gouge(const CuttingWork& work, MeshIndex face) {
@@ -128,6 +138,9 @@ void merge_slivers(CuttingWork& work, double share, JointedSection& section) {
     for_each_sliver(
         [&](MeshIndex face, const Polygon<>&, double) { section.slivers_merged += merge_sliver(mesh, face) ? 1 : 0; });
     for_each_sliver([&](MeshIndex face, const Polygon<>& outline, double area) {
+        if (is_part_of_a_block(mesh, face)) {
+            return;
+        }
         if (area < greatest_crushed_share * section.typical_area &&
             length_of(outline) < greatest_crushed_length * size) {
             mesh.remove(face);

@@ -22,8 +22,9 @@ std::vector<std::uint32_t> seeds() {
         std::iota(all.begin(), all.end(), 1U);
         return all;
     }
-    // Corners hold seed 43; seeds 74 and 89 fell where their edges had more vertices.
-    return {3, 4, 7, 9, 18, 43, 71, 74, 89};
+    // Corners hold seed 43; seeds 74 and 89 fell where their edges had more vertices. A sliver at the toe of seed 102
+    // is a part of the rock in front.
+    return {3, 4, 7, 9, 18, 43, 71, 74, 89, 102};
 }
 
 TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
@@ -35,6 +36,9 @@ TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
     std::size_t stand = 0;
     std::size_t held_by_corners = 0;
     std::size_t caught_otherwise = 0;
+    std::size_t drawn_on = 0;
+    std::size_t weaker = 0;
+    std::size_t stronger = 0;
     for (const std::uint32_t seed : seeds()) {
         const RelaxationStudy study = testing::random_slope(seed);
         const std::vector<testing::Variant> variants = testing::verdicts_of(study, seed);
@@ -48,6 +52,13 @@ TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
             ++count.of;
         }
         EXPECT_NE(verdict, testing::Verdict::none) << seed;
+        if (testing::has_lines(study)) {
+            const bool stands =
+                testing::verdict_of(testing::drawn(testing::with_lines_drawn_on(study))) == testing::Verdict::stands;
+            ++drawn_on;
+            weaker += !stands && verdict == testing::Verdict::stands ? 1 : 0;
+            stronger += stands && verdict != testing::Verdict::stands ? 1 : 0;
+        }
         const std::optional<double> reduction = greatest_strength_reduction(testing::drawn(study).scene);
         ASSERT_TRUE(reduction) << seed;
         // It could fail: forces in balance promise standing only where joints dilate as they slip. None of 200 does.
@@ -59,6 +70,11 @@ TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
     EXPECT_GT(held_by_corners, 0U);
     // Corners may catch blocks that do not stand, and rounding decides whether they do: seed 89 is caught if turned.
     EXPECT_LE(caught_otherwise, seeds().size() / 9);
+    EXPECT_GT(drawn_on, 0U);
+    // A sliver may be just small enough to be taken away, where smaller blocks elsewhere make it none: seed 44.
+    EXPECT_LE(stronger, seeds().size() / 200);
+    std::cout << drawn_on << " with lines drawn on, of which " << weaker << " stand no longer and " << stronger
+              << " stand only then\n";
     std::cout << stand << " stand, " << held_by_corners << " are held by corners\n";
     for (const auto& [name, count] : counts) {
         std::cout << name << ": " << count.agree << " of " << count.of << '\n';
@@ -103,7 +119,8 @@ TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
                 continue;
             }
             EXPECT_EQ(again.status, answer.status) << seed << ", " << name;
-            const bool alike = answer.status != CriticalStatus::found ||
+            const bool weaker = name == "lines drawn on" && again.stands <= answer.fails;
+            const bool alike = answer.status != CriticalStatus::found || weaker ||
                                (again.stands <= answer.fails && again.fails >= answer.stands);
             EXPECT_TRUE(alike) << seed << ", " << name << ": " << again.stands << " to " << again.fails << ", not "
                                << answer.stands << " to " << answer.fails;
