@@ -87,7 +87,7 @@ class PlanePoints {
         if (result.check != PlaneFailureCheck::valid) {
             return word_of(result.check);
         }
-        std::array<double, std::tuple_size_v<decltype(PlaneFailureResult::fields())>> numbers{};
+        std::array<double, decltype(PlaneFailureResult::fields())::size> numbers{};
         std::size_t count = 0;
         for_each_number(result, [&](double value, const FieldInfo&) { numbers[count++] = value; });
         for (std::size_t index = 0; index < outputs.size(); ++index) {

@@ -16,7 +16,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -31,7 +30,7 @@ struct Prior {
     std::string source;
     static constexpr bool written_in_line = true;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&Prior::mean>(Dimension::named, "mean of the prior"),
             number<&Prior::standard_deviation>(Dimension::named, more_than(0), "standard deviation of the prior"),
             with_default(section<&Prior::source>("where the prior comes from")),
@@ -48,7 +47,7 @@ struct FreeParameter {
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
         using P = FreeParameter;
-        return std::tuple{
+        return FieldTable{
             refers_to(NameOf::input, section<&P::name>("the input that is free, e.g. strength.friction_angle")),
             number<&P::lower>(Dimension::named, "lower bound"),
             number<&P::upper>(Dimension::named, "upper bound"),
@@ -72,7 +71,7 @@ struct QuantityObservation {
     std::string source;
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&QuantityObservation::label>("what was observed, in a few words"),
             refers_to(NameOf::output, section<&QuantityObservation::quantity>("name of an output of the model")),
             with_default(section<&QuantityObservation::relation>("how the quantity compares with the value")),
@@ -90,7 +89,7 @@ struct ProfileObservation {
     double standard_deviation;  // m, > 0
     std::string source;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number("points", &ProfileObservation::profile, Dimension::length, any_number(),
                    "the ground after the failure, from the toe into the slope"),
             number<&ProfileObservation::standard_deviation>(Dimension::length, more_than(0),
@@ -106,7 +105,7 @@ struct FieldEvidence {
     std::string statement;
     std::string source;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&FieldEvidence::name>("a short name, e.g. crest_block_rotation"),
             section<&FieldEvidence::statement>("what was seen"),
             with_default(section<&FieldEvidence::source>("who saw it")),
@@ -122,7 +121,7 @@ struct EvidenceSign {
     double value;
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&EvidenceSign::evidence>("name of a [[fit.evidence]]"),
             refers_to(NameOf::output, section<&EvidenceSign::quantity>("name of an output of the mechanism")),
             with_default(section<&EvidenceSign::relation>("how the quantity compares with the value")),
@@ -144,7 +143,7 @@ struct FitCandidate {
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
         using C = FitCandidate;
-        return std::tuple{
+        return FieldTable{
             section<&C::label>("what could be measured, in a few words"),
             refers_to(NameOf::measurable,
                       section("quantity", &C::quantities,
@@ -161,7 +160,7 @@ struct FitCandidate {
 struct ClaimOfMechanisms {
     std::vector<std::string> mechanisms;
     static constexpr auto fields() {
-        return std::tuple{refers_to(NameOf::mechanism, section("probability_of", &ClaimOfMechanisms::mechanisms,
+        return FieldTable{refers_to(NameOf::mechanism, section("probability_of", &ClaimOfMechanisms::mechanisms,
                                                                "mechanisms whose probabilities count together"))};
     }
 };
@@ -174,7 +173,7 @@ struct ClaimOfQuantity {
     std::optional<std::vector<Condition>>
         against;  // the claim is then about the increase over the value under these conditions
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             refers_to(NameOf::mechanism,
                       section<&ClaimOfQuantity::mechanism>("name of the mechanism that is asked, or probability_of")),
             refers_to(NameOf::output, section<&ClaimOfQuantity::quantity>("name of an output of the mechanism")),
@@ -191,7 +190,7 @@ struct ConclusionTest {
     double limit;                            // of the probability, the quantity or the difference
     Dimension dimension = Dimension::ratio;  // of the limit
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&ConclusionTest::claim>("what is claimed, in words"),
             inlined(&ConclusionTest::of, "what the claim is about"),
             with_default(section<&ConclusionTest::relation>("how what is claimed compares with the value")),
@@ -208,7 +207,7 @@ struct Conclusion {
     std::string source;
     std::string note;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&Conclusion::label>("what it is called, e.g. (i)"),
             section<&Conclusion::statement>("what was concluded"),
             with_default(section<&Conclusion::source>("who concluded it")),
@@ -228,7 +227,7 @@ struct MechanismTask {
     std::vector<QuantityObservation> own_observations = {};
     std::vector<EvidenceSign> signs = {};  // of field evidence; all signs given for one piece of evidence have to hold
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&MechanismTask::name>("a short name, e.g. critical_geometry"),
             with_default(section<&MechanismTask::title>("what figures call it")),
             section("parameter", &MechanismTask::parameters, "an input that is free"),
@@ -257,7 +256,7 @@ struct SurrogateSettings {
     int runs_of_claim = 4;
     static constexpr auto fields() {
         constexpr Interval runs_range = within(12, 2000);  // with more runs the surrogate takes longer than the model
-        return std::tuple{
+        return FieldTable{
             with_default(number<&SurrogateSettings::runs>(runs_range, "runs at most")),
             number<&SurrogateSettings::first_runs>(
                 runs_range, "runs before the surrogate says where to run; 10 for each parameter where it is absent"),
@@ -288,7 +287,7 @@ struct FitSettings {
     static constexpr auto fields() {
         using S = FitSettings;
         constexpr Interval points_range = within(5, 2001);
-        return std::tuple{
+        return FieldTable{
             with_default(section<&S::algorithm>("what minimises the misfit")),
             with_default(number<&S::starts>(within(1, 100'000),
                                             "local runs, from the prior means, then from a Sobol sequence; a global "
@@ -315,7 +314,7 @@ struct FitTask {
     std::vector<FitCandidate> candidates = {};
     std::vector<Conclusion> conclusions = {};
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             inlined(&FitTask::settings, "how to search"),
             section<&FitTask::posterior>("samples the posterior and the evidence"),
             section("observation", &FitTask::observations, "a quantity that was observed"),

@@ -4,7 +4,6 @@
 #include "parameters/fields.hpp"
 
 #include <cstdint>
-#include <tuple>
 
 namespace delabole {
 
@@ -33,7 +32,7 @@ struct PosteriorStudy {
     static constexpr auto fields() {
         using S = PosteriorStudy;
         constexpr double most = 100'000'000;
-        return std::tuple{
+        return FieldTable{
             with_default(number<&S::chains>(within(2, 1000), "chains of the sampler")),
             with_default(number<&S::draws>(within(draws_per_chain * 2, most),
                                            "steps of all chains together in the first round")),

@@ -11,7 +11,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -24,7 +23,7 @@ struct Normal {
     static constexpr std::string_view kind = "normal";
     static constexpr std::string_view kind_key = "distribution";
     static constexpr auto fields() {
-        return std::tuple{number<&Normal::mean>(Dimension::named, "mean"),
+        return FieldTable{number<&Normal::mean>(Dimension::named, "mean"),
                           number<&Normal::standard_deviation>(Dimension::named, more_than(0), "standard deviation")};
     }
 };
@@ -35,7 +34,7 @@ struct Lognormal {
     double standard_deviation;
     static constexpr std::string_view kind = "lognormal";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&Lognormal::mean>(Dimension::named, more_than(0), "mean"),
             number<&Lognormal::standard_deviation>(Dimension::named, more_than(0),
                                                    "standard deviation of the parameter itself, not of its logarithm")};
@@ -47,7 +46,7 @@ struct Exponential {
     double mean;  // > 0
     static constexpr std::string_view kind = "exponential";
     static constexpr auto fields() {
-        return std::tuple{number<&Exponential::mean>(Dimension::named, more_than(0), "mean before any truncation")};
+        return FieldTable{number<&Exponential::mean>(Dimension::named, more_than(0), "mean before any truncation")};
     }
 };
 
@@ -56,7 +55,7 @@ struct Uniform {
     double upper;
     static constexpr std::string_view kind = "uniform";
     static constexpr auto fields() {
-        return std::tuple{number<&Uniform::lower>(Dimension::named, "least value"),
+        return FieldTable{number<&Uniform::lower>(Dimension::named, "least value"),
                           number<&Uniform::upper>(Dimension::named, "greatest value")};
     }
 };
@@ -67,7 +66,7 @@ struct Triangular {
     double upper;
     static constexpr std::string_view kind = "triangular";
     static constexpr auto fields() {
-        return std::tuple{number<&Triangular::lower>(Dimension::named, "least value"),
+        return FieldTable{number<&Triangular::lower>(Dimension::named, "least value"),
                           number<&Triangular::mode>(Dimension::named, "most likely value"),
                           number<&Triangular::upper>(Dimension::named, "greatest value")};
     }
@@ -82,7 +81,7 @@ struct Beta {
     double upper;
     static constexpr std::string_view kind = "beta";
     static constexpr auto fields() {
-        return std::tuple{number<&Beta::mean>(Dimension::named, "mean"),
+        return FieldTable{number<&Beta::mean>(Dimension::named, "mean"),
                           number<&Beta::standard_deviation>(Dimension::named, more_than(0), "standard deviation"),
                           number<&Beta::lower>(Dimension::named, "least value"),
                           number<&Beta::upper>(Dimension::named, "greatest value")};
@@ -102,7 +101,7 @@ struct Distribution {
     std::optional<double> lower = {};  // truncation
     std::optional<double> upper = {};
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             inlined(&Distribution::law, "kind of distribution"),
             number<&Distribution::lower>(Dimension::named, "smaller values are cut off"),
             number<&Distribution::upper>(Dimension::named, "greater values are cut off"),

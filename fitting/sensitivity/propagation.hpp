@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,7 +28,7 @@ struct FailureCriterion {
     std::vector<std::string> standing_words = {};
 
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&FailureCriterion::limit>(Dimension::named, "value of the quantity at which the slope fails"),
             with_default(section<&FailureCriterion::side>("where the slope has failed")),
             section<&FailureCriterion::failing_words>("words of the model that mean failure"),
@@ -54,7 +53,7 @@ struct PropagationSettings {
     int replicates = 16;  // not used by Monte Carlo
     static constexpr auto fields() {
         using S = PropagationSettings;
-        return std::tuple{
+        return FieldTable{
             with_default(section<&S::method>("how samples are drawn")),
             with_default(number<&S::samples>(
                 within(2, most_samples),

@@ -19,7 +19,6 @@
 #include "fitting/sensitivity/propagation.hpp"
 
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -29,7 +28,7 @@ struct ReliabilitySettings {
     double step = 1e-3;
     double tolerance = 1e-3;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             with_default(number<&ReliabilitySettings::starts>(
                 within(1, 10'000), "the medians, then random points two standard deviations away")),
             with_default(number<&ReliabilitySettings::step>(

@@ -11,7 +11,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -20,7 +19,7 @@ struct TornadoSettings {
     double lower_probability = 0.05;
     double upper_probability = 0.95;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             with_default(number<&TornadoSettings::lower_probability>(lower_quantile, "probability of the lower end")),
             with_default(number<&TornadoSettings::upper_probability>(upper_quantile, "probability of the upper end")),
         };
@@ -63,7 +62,7 @@ struct MorrisSettings {
     double upper_probability = 0.95;
     static constexpr auto fields() {
         using S = MorrisSettings;
-        return std::tuple{
+        return FieldTable{
             with_default(number<&S::trajectories>(within(2, 1e6), "walks in which each parameter changes once")),
             with_default(
                 number<&S::levels>(within(2, 1000), "values of each parameter; even, since a step is half the levels")),

@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -29,7 +28,7 @@ struct UncertainParameter {
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
         using P = UncertainParameter;
-        return std::tuple{
+        return FieldTable{
             refers_to(NameOf::input, section<&P::name>("the input that is uncertain, e.g. strength.cohesion")),
             inlined(&P::distribution, "how it is distributed"),
             refers_to(NameOf::input, section<&P::also>("further inputs that take the same value")),
@@ -43,7 +42,7 @@ struct ParameterCorrelation {
     CorrelationMeasure measure = CorrelationMeasure::linear;
     double coefficient;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section("between", &ParameterCorrelation::pair, "the names of two uncertain parameters, [\"a\", \"b\"]"),
             number<&ParameterCorrelation::coefficient>(between(-1, 1), "correlation coefficient"),
             with_default(section<&ParameterCorrelation::measure>("of the values, or of their ranks")),
@@ -67,7 +66,7 @@ struct SensitivityStudy {
     Dimension dimension = Dimension::ratio;  // of the quantity
     static constexpr auto fields() {
         using S = SensitivityStudy;
-        return std::tuple{
+        return FieldTable{
             refers_to(NameOf::output, section<&S::quantity>("the output that is studied, e.g. factor_of_safety")),
             with_default(number<&S::seed>(at_least(0), "of the random numbers")),
             section("parameter", &S::parameters, "an input that is uncertain"),

@@ -17,7 +17,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -30,7 +29,7 @@ struct SobolIndicesSettings {
     int bootstrap = 1000;
     static constexpr auto fields() {
         using S = SobolIndicesSettings;
-        return std::tuple{
+        return FieldTable{
             with_default(number<&S::samples>(within(16, 1 << 22),
                                              "N, a power of 2; the quantity is evaluated N (parameters + 2) times")),
             with_default(number<&S::bootstrap>(within(100, 1e5), "repetitions that give the intervals")),

@@ -26,7 +26,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -37,7 +36,7 @@ struct SweptQuantity {
     double scatter = 0;
     Dimension dimension = Dimension::ratio;  // of the scatter, used when the study is written
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             refers_to(NameOf::output, section<&SweptQuantity::name>("an output that is swept too, e.g. weight")),
             with_default(number<&SweptQuantity::scatter>(
                 Dimension::named, at_least(0), "standard deviation at unchanged parameters; 0 where it is exact")),
@@ -54,7 +53,7 @@ struct SweepSettings {
     std::vector<SweptQuantity> further = {};
     static constexpr auto fields() {
         using S = SweepSettings;
-        return std::tuple{
+        return FieldTable{
             with_default(
                 number<&S::points>(within(3, 19), "values of each parameter, with the others at their medians; odd")),
             with_default(number<&S::lower_probability>(lower_quantile, "probability of the lower end")),

@@ -14,7 +14,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -27,7 +26,7 @@ struct SupportChoice {
     Dimension dimension = Dimension::ratio;
     static constexpr auto fields() {
         using C = SupportChoice;
-        return std::tuple{refers_to(NameOf::input, section<&C::input>("what may be chosen, e.g. support[1].spacing")),
+        return FieldTable{refers_to(NameOf::input, section<&C::input>("what may be chosen, e.g. support[1].spacing")),
                           number<&C::from>(Dimension::named, "the first value"),
                           number<&C::to>(Dimension::named, "the last value"),
                           number<&C::points>(within(1, 1000), "how many values, equally spaced")};
@@ -41,7 +40,7 @@ struct SupportDesign {
     std::vector<SupportChoice> choices;
     static constexpr auto fields() {
         using D = SupportDesign;
-        return std::tuple{number<&D::factor_of_safety>(more_than(0), "factor of safety to reach"),
+        return FieldTable{number<&D::factor_of_safety>(more_than(0), "factor of safety to reach"),
                           number<&D::cost_per_bolt>(at_least(0), "of head and work, any currency"),
                           number<&D::cost_per_metre>(at_least(0), "of bolt and hole, in the same currency"),
                           section("choose", &D::choices, "an input of the support and the values it may have")};

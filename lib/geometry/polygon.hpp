@@ -20,6 +20,14 @@ using PlanePoint = Eigen::Matrix<T, 2, 1>;
 template <class T = double>
 using Polygon = std::vector<PlanePoint<T>>;
 
+// Positive where b points to the left of a.
+inline double cross(const PlanePoint<>& a, const PlanePoint<>& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+inline PlanePoint<> left_of(const PlanePoint<>& along) {
+    return {-along.y(), along.x()};
+}
+
 template <class T = double>
 struct AreaProperties {
     T area;                  // m2, negative for clockwise polygons

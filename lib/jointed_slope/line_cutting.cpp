@@ -13,10 +13,6 @@ namespace delabole {
 
 namespace {
 
-PlanePoint<> left_of(const PlanePoint<>& way) {
-    return {-way.y(), way.x()};
-}
-
 // Both faces of a fault, or the line itself, and the bisectors of its bends.
 struct Faces {
     std::vector<Polyline> line;

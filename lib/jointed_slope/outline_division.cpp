@@ -10,10 +10,6 @@ namespace delabole {
 
 namespace {
 
-double cross(const PlanePoint<>& a, const PlanePoint<>& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 double distance_to_segment(const PlanePoint<>& point, const PlanePoint<>& a, const PlanePoint<>& b) {
     const PlanePoint<> along = b - a;
     const double position = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);

@@ -43,10 +43,8 @@ double width_of(const Polygon<>& outline, double rounding) {
 // Whether a face is a part of the rock beside it, divided from it only because blocks are convex.
 bool is_part_of_a_block(const SectionMesh& mesh, MeshIndex face) {
     bool part = false;
-    mesh.for_each_edge(face, [&](MeshIndex edge) {
-        const HalfEdge& half = mesh.edge(edge);
-        part = part || (half.joint == intact_rock && half.twin != no_index && same_rock(mesh, edge));
-    });
+    mesh.for_each_edge(
+        face, [&](MeshIndex edge) { part = part || (mesh.edge(edge).joint == intact_rock && same_rock(mesh, edge)); });
     return part;
 }
 

@@ -10,7 +10,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -23,7 +22,7 @@ struct SectionPoint {
         // Within this range areas and their quotients do not overflow, and the section does not vanish beside its
         // distance.
         constexpr Interval range = within(-1e12, 1e12);
-        return std::tuple{number<&SectionPoint::x>(Dimension::length, range, "in the section"),
+        return FieldTable{number<&SectionPoint::x>(Dimension::length, range, "in the section"),
                           number<&SectionPoint::y>(Dimension::length, range, "in the section")};
     }
     bool operator==(const SectionPoint&) const = default;
@@ -54,7 +53,7 @@ struct JointSetCut {
     static constexpr std::string_view kind = "set";
     static constexpr auto fields() {
         using S = JointSetCut;
-        return std::tuple{
+        return FieldTable{
             number<&S::dip>(Dimension::angle, within(degrees(-90), degrees(90)),
                             "positive out of the slope, towards -x"),
             number<&S::spacing>(Dimension::length, more_than(0), "mean, normal to the joints"),
@@ -93,7 +92,7 @@ struct LineCut {
 
     static constexpr std::string_view kind = "line";
     static constexpr auto fields() {
-        return std::tuple{number<&LineCut::thickness>(Dimension::length, more_than(0), "of the gouge; absent: none"),
+        return FieldTable{number<&LineCut::thickness>(Dimension::length, more_than(0), "of the gouge; absent: none"),
                           section<&LineCut::gouge>("name of the rock between the faces"),
                           section<&LineCut::rock_above>("name of the rock above the line; absent: as before"),
                           section<&LineCut::rock_below>("name of the rock below the line; absent: as before"),
@@ -108,7 +107,7 @@ struct SlopeCut {
     std::variant<JointSetCut, LineCut> trace;
     static constexpr auto fields() {
         using C = SlopeCut;
-        return std::tuple{section<&C::name>("by which others refer to it"),
+        return FieldTable{section<&C::name>("by which others refer to it"),
                           section<&C::joint>("name of the properties along it"), section<&C::trace>("where it runs")};
     }
     bool operator==(const SlopeCut&) const = default;
@@ -125,7 +124,7 @@ struct SlopeGeometry {
     std::vector<SlopeCut> cut;
     static constexpr auto fields() {
         using G = SlopeGeometry;
-        return std::tuple{
+        return FieldTable{
             section<&G::outline_file>("DXF or CSV file with the outline, beside the case; or outline"),
             section<&G::outline_layer>(
                 "layer of outline_file, a DXF, that has the outline; absent: there is nothing else in the drawing"),

@@ -25,7 +25,7 @@ struct OrientationRange {
     double last_dip_direction;
     static constexpr auto fields() {
         using R = OrientationRange;
-        return std::tuple{
+        return FieldTable{
             number<&R::lower_dip>(Dimension::angle, within(0, degrees(90)), "flattest dip"),
             number<&R::upper_dip>(Dimension::angle, within(0, degrees(90)), "steepest dip"),
             number<&R::first_dip_direction>(Dimension::angle, within(0, degrees(360)),
@@ -43,7 +43,7 @@ struct MeanOrientation {
     std::optional<double> concentration;
     static constexpr auto fields() {
         using M = MeanOrientation;
-        return std::tuple{number<&M::dip>(Dimension::angle, within(0, degrees(90)), "mean dip"),
+        return FieldTable{number<&M::dip>(Dimension::angle, within(0, degrees(90)), "mean dip"),
                           number<&M::dip_direction>(Dimension::angle, within(0, degrees(360)), "mean dip direction"),
                           number<&M::concentration>(within(1e-3, 1e9), "Fisher's K of the poles; absent: no scatter")};
     }
@@ -55,7 +55,7 @@ struct PoleWindow {
     double window_dip_direction;
     double window_radius;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&PoleWindow::window_dip>(Dimension::angle, within(0, degrees(90)),
                                             "dip of the plane in whose pole the window has its middle"),
             number<&PoleWindow::window_dip_direction>(Dimension::angle, within(0, degrees(360)), "its dip direction"),
@@ -68,7 +68,7 @@ struct JointSet {
     std::string name;
     std::variant<OrientationRange, MeanOrientation, PoleWindow> orientation;
     static constexpr auto fields() {
-        return std::tuple{section<&JointSet::name>("name of the set"),
+        return FieldTable{section<&JointSet::name>("name of the set"),
                           inlined(&JointSet::orientation, "its orientations")};
     }
 };

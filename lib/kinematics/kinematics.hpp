@@ -54,7 +54,7 @@ struct MechanismFeasibility {
     double feasible_share;
     static constexpr auto fields() {
         using M = MechanismFeasibility;
-        return std::tuple{section<&M::at_mean>("verdict at the mean orientation"),
+        return FieldTable{section<&M::at_mean>("verdict at the mean orientation"),
                           number<&M::critical_friction_angle>(
                               Dimension::angle, "feasible at the mean below this friction angle; 0: at none"),
                           number<&M::feasible_share>("share of the sampled orientations that is feasible")};
@@ -73,7 +73,7 @@ struct JointSetFeasibility {
     std::optional<FisherStatistics> measured;
     static constexpr auto fields() {
         using J = JointSetFeasibility;
-        return std::tuple{
+        return FieldTable{
             section<&J::name>("name of the set"),
             section<&J::mean>("mean orientation"),
             number<&J::apparent_dip>(Dimension::angle,
@@ -98,7 +98,7 @@ struct PairFeasibility {
     double direct_toppling_share;
     std::string toppling_base;  // the set whose mean can be a base, the flattest if several; empty: none
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&PairFeasibility::first>("first set"),
             section<&PairFeasibility::second>("second set"),
             section<&PairFeasibility::intersection>("line of intersection of the mean planes"),
@@ -127,7 +127,7 @@ struct PoleCounts {
     double without_set;
     static constexpr auto fields() {
         constexpr Interval any = any_number();
-        return std::tuple{
+        return FieldTable{
             number<&PoleCounts::count>(any, "measured poles"),
             number<&PoleCounts::planar_sliding>(any, "poles of planes that can slide"),
             number<&PoleCounts::flexural_toppling>(any, "poles of layers that can topple"),
@@ -156,7 +156,7 @@ struct KinematicsResult {
     std::vector<bool> too_small{};                         // likewise
     static constexpr auto fields() {
         using R = KinematicsResult;
-        return std::tuple{section<&R::joint_set>("every joint set"), section<&R::pair>("every pair of joint sets"),
+        return FieldTable{section<&R::joint_set>("every joint set"), section<&R::pair>("every pair of joint sets"),
                           section<&R::poles>("all measured poles")};
     }
 };

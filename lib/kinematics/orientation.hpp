@@ -22,7 +22,7 @@ struct Orientation {
     double dip;
     double dip_direction;
     static constexpr auto fields() {
-        return std::tuple{number<&Orientation::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
+        return FieldTable{number<&Orientation::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
                           number<&Orientation::dip_direction>(Dimension::angle, within(0, degrees(360)),
                                                               "azimuth of the dip, clockwise from north")};
     }
@@ -32,7 +32,7 @@ struct LineOrientation {
     double plunge;
     double trend;
     static constexpr auto fields() {
-        return std::tuple{number<&LineOrientation::plunge>(Dimension::angle, within(0, degrees(90)),
+        return FieldTable{number<&LineOrientation::plunge>(Dimension::angle, within(0, degrees(90)),
                                                            "inclination below the horizontal"),
                           number<&LineOrientation::trend>(Dimension::angle, within(0, degrees(360)),
                                                           "azimuth of the plunge, clockwise from north")};

@@ -18,7 +18,7 @@ struct SlopeOrientation {
     std::optional<Orientation> upper_surface;
     static constexpr auto fields() {
         using S = SlopeOrientation;
-        return std::tuple{number<&S::face_dip>(Dimension::angle, left_open(0, degrees(90)), "dip of the face"),
+        return FieldTable{number<&S::face_dip>(Dimension::angle, left_open(0, degrees(90)), "dip of the face"),
                           number<&S::face_dip_direction>(Dimension::angle, within(0, degrees(360)),
                                                          "dip direction of the face, out of the slope"),
                           section<&S::upper_surface>("ground behind the crest; absent: level")};
@@ -28,7 +28,7 @@ struct SlopeOrientation {
 struct JointFriction {
     double friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number<&JointFriction::friction_angle>(Dimension::angle, right_open(0, degrees(90)),
+        return FieldTable{number<&JointFriction::friction_angle>(Dimension::angle, right_open(0, degrees(90)),
                                                                  "friction angle of every joint")};
     }
 };
@@ -42,7 +42,7 @@ struct LateralLimit {
     double direct_toppling;
     static constexpr auto fields() {
         constexpr Interval range = within(0, degrees(90));
-        return std::tuple{
+        return FieldTable{
             number<&LateralLimit::planar_sliding>(
                 Dimension::angle, range,
                 "largest angle in plan between joint and face dip direction, sliding on a plane"),
@@ -61,7 +61,7 @@ struct Scanline {
     // Customary value: a smaller angle would let a few planes outweigh all others.
     static constexpr double customary_least_angle = degrees(15);
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&Scanline::plunge>(Dimension::angle, within(0, degrees(90)), "plunge of the line"),
             number<&Scanline::trend>(Dimension::angle, within(0, degrees(360)), "trend of the line"),
             absent_is(customary_least_angle,
@@ -75,7 +75,7 @@ struct PoleSurvey {
     std::vector<Orientation> plane;
     std::optional<Scanline> scanline;
     static constexpr auto fields() {
-        return std::tuple{section<&PoleSurvey::file>(
+        return FieldTable{section<&PoleSurvey::file>(
                               "CSV file beside the case with columns dip and dip_direction, trend and plunge of the "
                               "poles, or strike (right-hand rule) and dip; absent: planes are given here"),
                           section<&PoleSurvey::plane>("a measured plane"),
@@ -86,7 +86,7 @@ struct PoleSurvey {
 struct SetSearch {
     double most_sets;
     static constexpr auto fields() {
-        return std::tuple{number<&SetSearch::most_sets>(within(1, 12), "largest number of sets tried, a whole number")};
+        return FieldTable{number<&SetSearch::most_sets>(within(1, 12), "largest number of sets tried, a whole number")};
     }
 };
 
@@ -101,7 +101,7 @@ struct Kinematics {
     static constexpr std::string_view kind = "kinematics";
     static constexpr auto fields() {
         using K = Kinematics;
-        return std::tuple{section<&K::slope>("the face"),
+        return FieldTable{section<&K::slope>("the face"),
                           section<&K::strength>("joint strength"),
                           section<&K::lateral_limit>("limits in plan"),
                           section<&K::joint_set>("the joint sets; absent, where there are poles: those found in them"),
@@ -120,7 +120,7 @@ struct OrientationSampling {
 
     static constexpr auto fields() {
         using S = OrientationSampling;
-        return std::tuple{
+        return FieldTable{
             absent_is(default_sample_count,
                       number<&S::sample_count>(within(1, 1e6), "orientations drawn from each set, a whole number")),
             absent_is(default_seed,
@@ -134,7 +134,7 @@ struct KinematicsStudy {
 
     static constexpr std::string_view kind = "kinematics";
     static constexpr auto fields() {
-        return std::tuple{inlined(&KinematicsStudy::model, "face and joint sets"),
+        return FieldTable{inlined(&KinematicsStudy::model, "face and joint sets"),
                           section<&KinematicsStudy::sampling>("sampling of the sets; absent: its defaults")};
     }
 };

@@ -36,7 +36,7 @@ struct FisherStatistics {
     double variability_cone;  // 68 %: half-angle about the mean that contains that share of the poles
     static constexpr auto fields() {
         constexpr Interval any = any_number();
-        return std::tuple{
+        return FieldTable{
             number<&FisherStatistics::mean_dip>(Dimension::angle, any, "dip of the mean plane"),
             number<&FisherStatistics::mean_dip_direction>(Dimension::angle, any, "dip direction of the mean plane"),
             number<&FisherStatistics::count>(any, "number of poles"),

@@ -1,6 +1,6 @@
 // One table per parameter or result struct: key, dimension, allowed range, meaning, member.
 //
-// A described struct has `static constexpr auto fields()` returning a tuple of Field. The case reader, the writers, the
+// A described struct has `static constexpr auto fields()` returning a FieldTable. The case reader, the writers, the
 // named-number view of the loops, the exact derivatives and the documentation all go through these tables, so that a
 // C++ member, a case key, a CSV column and a JSON key are one word.
 //
@@ -30,7 +30,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -208,6 +207,51 @@ constexpr Field<Owner, Member> refers_to(NameOf what, Field<Owner, Member> field
 
 namespace detail {
 
+template <std::size_t index, class Type>
+struct FieldAt {
+    Type field;
+};
+
+template <class Indices, class... Types>
+struct FieldTableBase;
+
+template <std::size_t... index, class... Types>
+struct FieldTableBase<std::index_sequence<index...>, Types...> : FieldAt<index, Types>... {
+    template <class Function>
+    constexpr void for_each([[maybe_unused]] Function&& function) const {
+        (function(this->FieldAt<index, Types>::field), ...);
+    }
+};
+
+}  // namespace detail
+
+// The fields of a described struct in their order, each of its own type. Compilers take half the time and memory for it
+// that std::tuple and std::apply take, which matters with hundreds of structs.
+template <class... Types>
+struct FieldTable : detail::FieldTableBase<std::index_sequence_for<Types...>, Types...> {
+    static constexpr std::size_t size = sizeof...(Types);
+
+    constexpr FieldTable(Types... fields)
+        : detail::FieldTableBase<std::index_sequence_for<Types...>, Types...>{{std::move(fields)}...} {}
+};
+
+// Deduces the type of the field at this index.
+template <std::size_t index, class Type>
+constexpr const Type& field_at(const detail::FieldAt<index, Type>& table) {
+    return table.field;
+}
+
+template <class... One, class... Other>
+constexpr auto joined(const FieldTable<One...>& one, const FieldTable<Other...>& other) {
+    return [&]<std::size_t... first, std::size_t... second>(std::index_sequence<first...>,
+                                                            std::index_sequence<second...>) {
+        return FieldTable<One..., Other...>(field_at<first>(one)..., field_at<second>(other)...);
+    }
+    (std::index_sequence_for<One...>(), std::index_sequence_for<Other...>());
+}
+
+namespace detail {
+
 // An enumerator or a member, as the compiler spells it in the name of this function; for a number without an enumerator
 // it prints a cast, in brackets.
 template <auto named>
@@ -329,8 +373,8 @@ constexpr void visit_field(Object& object, const Field<Owner, Member>& field, Vi
 // Calls visit(field info, member) for each field of a described struct, in the order of the table.
 template <Described Object, class Visitor>
 constexpr void visit_fields(Object& object, Visitor&& visit) {
-    std::apply([&](const auto&... field) { (detail::visit_field(object, field, visit), ...); },
-               std::remove_const_t<Object>::fields());
+    std::remove_const_t<Object>::fields().for_each(
+        [&](const auto& field) { detail::visit_field(object, field, visit); });
 }
 
 namespace detail {
@@ -382,9 +426,9 @@ void convert(const From& from, To& to) {
         [&]<std::size_t... index>(std::index_sequence<index...>) {
             [[maybe_unused]] constexpr auto source = From::fields();
             [[maybe_unused]] constexpr auto target = To::fields();
-            (convert(from.*std::get<index>(source).member, to.*std::get<index>(target).member), ...);
+            (convert(from.*field_at<index>(source).member, to.*field_at<index>(target).member), ...);
         }
-        (std::make_index_sequence<std::tuple_size_v<decltype(From::fields())>>{});
+        (std::make_index_sequence<decltype(From::fields())::size>{});
     } else if constexpr (is_optional<From>) {
         if (from) {
             convert(*from, to.emplace());

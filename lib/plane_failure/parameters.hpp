@@ -22,7 +22,7 @@ struct Bench {
     T width;
     T dip;
     static constexpr auto fields() {
-        return std::tuple{number<&Bench::width>(Dimension::length, extent_range(), "horizontal width from the crest"),
+        return FieldTable{number<&Bench::width>(Dimension::length, extent_range(), "horizontal width from the crest"),
                           number<&Bench::dip>(Dimension::angle, within(degrees(-60), degrees(89)),
                                               "inclination, positive rising into the slope")};
     }
@@ -36,7 +36,7 @@ struct SlopeSection {
     std::optional<Bench<T>> bench;
     std::optional<T> toe_elevation;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&SlopeSection::height>(Dimension::length, extent_range(), "vertical height, toe to crest"),
             number<&SlopeSection::face_dip>(Dimension::angle, left_open(0, degrees(90)), "dip of the face"),
             number<&SlopeSection::upper_surface_dip>(
@@ -53,7 +53,7 @@ struct FailurePlane {
     T dip;
     std::optional<T> daylight_height;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&FailurePlane::dip>(Dimension::angle, between(0, degrees(90)), "dip of the failure plane"),
             number<&FailurePlane::daylight_height>(
                 Dimension::length, distance_range(),
@@ -65,7 +65,7 @@ template <class T = double>
 struct CrackAtDistance {
     T distance_behind_crest;
     static constexpr auto fields() {
-        return std::tuple{number<&CrackAtDistance::distance_behind_crest>(
+        return FieldTable{number<&CrackAtDistance::distance_behind_crest>(
             Dimension::length, position_range(), "horizontal distance from crest to crack top; negative in the face")};
     }
 };
@@ -74,7 +74,7 @@ template <class T = double>
 struct CrackOfDepth {
     T depth;
     static constexpr auto fields() {
-        return std::tuple{number<&CrackOfDepth::depth>(Dimension::length, distance_range(),
+        return FieldTable{number<&CrackOfDepth::depth>(Dimension::length, distance_range(),
                                                        "vertical depth of a crack whose top lies behind the crest")};
     }
 };
@@ -84,7 +84,7 @@ template <class T = double>
 struct CrackBaseBelowCrest {
     T base_below_crest;
     static constexpr auto fields() {
-        return std::tuple{number<&CrackBaseBelowCrest::base_below_crest>(
+        return FieldTable{number<&CrackBaseBelowCrest::base_below_crest>(
             Dimension::length, position_range(), "vertical distance from crest level down to the bottom of the crack")};
     }
 };
@@ -93,7 +93,7 @@ template <class T = double>
 struct CrackBaseElevation {
     T base_elevation;
     static constexpr auto fields() {
-        return std::tuple{number<&CrackBaseElevation::base_elevation>(
+        return FieldTable{number<&CrackBaseElevation::base_elevation>(
             Dimension::length, position_range(),
             "elevation of the bottom of the crack, in the datum of slope.toe_elevation")};
     }
@@ -107,7 +107,7 @@ struct TensionCrack {
     T dip;
     CrackPosition<T> position;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&TensionCrack::dip>(Dimension::angle, between(0, degrees(150)),
                                        "dip of the crack, 90 deg vertical, below 90 deg dipping like the plane"),
             inlined(&TensionCrack::position, "where the crack is")};
@@ -118,7 +118,7 @@ template <class T = double>
 struct Rock {
     T unit_weight;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&Rock::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of the rock mass")};
     }
 };
@@ -127,7 +127,7 @@ template <class T = double>
 struct TensionCutoff {
     T tensile_strength;
     static constexpr auto fields() {
-        return std::tuple{number<&TensionCutoff::tensile_strength>(
+        return FieldTable{number<&TensionCutoff::tensile_strength>(
             Dimension::stress, at_least(0), "normal tension beyond which the plane has no shear strength")};
     }
 };
@@ -137,7 +137,7 @@ struct SeismicLoad {
     T horizontal_coefficient;
     T vertical_coefficient;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&SeismicLoad::horizontal_coefficient>(within(-5, 5),
                                                          "inertia force over weight, positive out of the slope"),
             number<&SeismicLoad::vertical_coefficient>(within(-5, 5), "inertia force over weight, positive downwards")};
@@ -151,7 +151,7 @@ struct Surcharge {
     T from_distance;
     T to_distance;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&Surcharge::pressure>(Dimension::stress, "vertical force per horizontal area, positive downwards"),
             number<&Surcharge::from_distance>(Dimension::length, distance_range(),
                                               "horizontal distance behind the crest where it begins"),
@@ -167,7 +167,7 @@ struct LineLoad {
     T plunge;
     T distance_behind_crest;
     static constexpr auto fields() {
-        return std::tuple{number<&LineLoad::force>(Dimension::force_per_length, at_least(0), "force"),
+        return FieldTable{number<&LineLoad::force>(Dimension::force_per_length, at_least(0), "force"),
                           number<&LineLoad::plunge>(
                               Dimension::angle, within(degrees(-90), degrees(270)),
                               "direction below the horizontal, measured from into-the-slope; 90 deg is vertical"),
@@ -189,7 +189,7 @@ struct Bolt {
     T head_height;
     BoltAction action;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&Bolt::force>(Dimension::force_per_length, at_least(0), "tension"),
             number<&Bolt::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
                                   "direction below the horizontal, into the slope; negative: inclined upwards"),
@@ -205,7 +205,7 @@ struct PlaneSupport {
     BoltPattern<T> pattern;
     BoltAction action;
     static constexpr auto fields() {
-        return std::tuple{inlined(&PlaneSupport::pattern, "the bolts"), bolt_action_field<PlaneSupport>()};
+        return FieldTable{inlined(&PlaneSupport::pattern, "the bolts"), bolt_action_field<PlaneSupport>()};
     }
 };
 
@@ -227,7 +227,7 @@ struct PlaneFailure {
 
     static constexpr std::string_view kind = "plane_failure";
     static constexpr auto fields() {
-        return std::tuple{section<&PlaneFailure::slope>("the ground surface"),
+        return FieldTable{section<&PlaneFailure::slope>("the ground surface"),
                           section<&PlaneFailure::failure_plane>("the surface on which the mass slides"),
                           section<&PlaneFailure::tension_crack>("crack that cuts the mass off; absent: none"),
                           section<&PlaneFailure::rock>("the rock mass"),

@@ -61,39 +61,36 @@ struct PlaneFailureResult {
     static constexpr auto fields() {
         using R = PlaneFailureResult;
         using D = Dimension;
-        constexpr Interval any = any_number();
-        return std::tuple{
+        return FieldTable{
             section<&R::outcome>("what the slope does"),
             section<&R::crack_location>("which surface the crack opens in"),
-            number("factor_of_safety", &R::factor_of_safety, D::ratio, any, "factor of safety against sliding"),
-            number("friction_margin", &R::friction_margin, D::angle, any,
-                   "by how much the angle of the resisting force to the normal force exceeds that of the driving "
-                   "force: 0 where the factor of safety is 1, and bounded where that is not, as for a friction angle "
-                   "near 90 deg"),
-            number("plane_dip", &R::plane_dip, D::angle, any, "dip of the failure plane"),
-            number("crack_dip", &R::crack_dip, D::angle, any, "dip of the tension crack"),
-            number("crack_depth", &R::crack_depth, D::length, any, "vertical depth of the tension crack"),
-            number("crack_distance_behind_crest", &R::crack_distance_behind_crest, D::length, any,
-                   "crest to top of crack, horizontally"),
-            number("crack_base_height", &R::crack_base_height, D::length, any, "bottom of the crack above the toe"),
-            number("crack_top_height", &R::crack_top_height, D::length, any, "top of the crack above the toe"),
-            number("crack_base_below_crest", &R::crack_base_below_crest, D::length, any,
-                   "bottom of the crack below crest level"),
-            number("sliding_area", &R::sliding_area, D::length, any, "area of the base per metre run"),
-            number("section_area", &R::section_area, D::area, any, "area of the sliding mass in section"),
-            number("weight", &R::weight, D::force_per_length, any, "weight of the sliding mass"),
-            number("base_water_force", &R::base_water_force, D::force_per_length, any, "water force on the base"),
-            number("crack_water_force", &R::crack_water_force, D::force_per_length, any, "water force in the crack"),
-            number("normal_force", &R::normal_force, D::force_per_length, any, "effective normal force on the base"),
-            number("driving_force", &R::driving_force, D::force_per_length, any, "force down the plane"),
-            number("resisting_force", &R::resisting_force, D::force_per_length, any, "available shear resistance"),
-            number("normal_force_position", &R::normal_force_position, D::ratio, any,
-                   "where the normal force acts: 0 lower, 1 upper end of the base"),
-            number("restoring_moment", &R::restoring_moment, D::moment_per_length, any,
-                   "moment against overturning about the lower end of the base"),
-            number("overturning_moment", &R::overturning_moment, D::moment_per_length, any,
-                   "moment towards overturning about the lower end of the base"),
-            number("overturning_factor", &R::overturning_factor, D::ratio, any, "restoring over overturning moment")};
+            number<&R::factor_of_safety>("factor of safety against sliding"),
+            number<&R::friction_margin>(
+                D::angle,
+                "by how much the angle of the resisting force to the normal force exceeds that of the driving "
+                "force: 0 where the factor of safety is 1, and bounded where that is not, as for a friction angle "
+                "near 90 deg"),
+            number<&R::plane_dip>(D::angle, "dip of the failure plane"),
+            number<&R::crack_dip>(D::angle, "dip of the tension crack"),
+            number<&R::crack_depth>(D::length, "vertical depth of the tension crack"),
+            number<&R::crack_distance_behind_crest>(D::length, "crest to top of crack, horizontally"),
+            number<&R::crack_base_height>(D::length, "bottom of the crack above the toe"),
+            number<&R::crack_top_height>(D::length, "top of the crack above the toe"),
+            number<&R::crack_base_below_crest>(D::length, "bottom of the crack below crest level"),
+            number<&R::sliding_area>(D::length, "area of the base per metre run"),
+            number<&R::section_area>(D::area, "area of the sliding mass in section"),
+            number<&R::weight>(D::force_per_length, "weight of the sliding mass"),
+            number<&R::base_water_force>(D::force_per_length, "water force on the base"),
+            number<&R::crack_water_force>(D::force_per_length, "water force in the crack"),
+            number<&R::normal_force>(D::force_per_length, "effective normal force on the base"),
+            number<&R::driving_force>(D::force_per_length, "force down the plane"),
+            number<&R::resisting_force>(D::force_per_length, "available shear resistance"),
+            number<&R::normal_force_position>("where the normal force acts: 0 lower, 1 upper end of the base"),
+            number<&R::restoring_moment>(D::moment_per_length,
+                                         "moment against overturning about the lower end of the base"),
+            number<&R::overturning_moment>(D::moment_per_length,
+                                           "moment towards overturning about the lower end of the base"),
+            number<&R::overturning_factor>("restoring over overturning moment")};
     }
 };
 

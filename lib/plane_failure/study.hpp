@@ -24,7 +24,7 @@ struct CriticalSearch {
     std::optional<T> lower_dip;
     std::optional<T> upper_dip;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&CriticalSearch::find>("what is searched for"),
             section<&CriticalSearch::under>("water while the search is made"),
             number<&CriticalSearch::lower_dip>(Dimension::angle, within(0, degrees(90)),
@@ -41,7 +41,7 @@ struct RequiredValue {
     T factor_of_safety;
     std::vector<std::string> also;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&RequiredValue::parameter>("name of the input, e.g. strength.friction_angle"),
             section<&RequiredValue::also>("further inputs that take the same value: several cables solved together"),
             number<&RequiredValue::factor_of_safety>(more_than(0), "factor of safety to reach")};
@@ -56,7 +56,7 @@ struct PlaneFailureStudy {
 
     static constexpr std::string_view kind = "plane_failure";
     static constexpr auto fields() {
-        return std::tuple{inlined(&PlaneFailureStudy::model, "the slope and its failure plane"),
+        return FieldTable{inlined(&PlaneFailureStudy::model, "the slope and its failure plane"),
                           section<&PlaneFailureStudy::critical>("search for the least stable geometry"),
                           section<&PlaneFailureStudy::required>("inputs solved for")};
     }

@@ -21,7 +21,7 @@ struct Coulomb {
 
     static constexpr std::string_view kind = "coulomb";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&Coulomb::cohesion>(Dimension::stress, at_least(0), "apparent cohesion"),
             number<&Coulomb::friction_angle>(Dimension::angle, within(0, degrees(89.9)), "angle of friction")};
     }
@@ -36,7 +36,7 @@ struct SteppedSurface {
 
     static constexpr std::string_view kind = "stepped_surface";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&SteppedSurface::cohesion>(Dimension::stress, at_least(0), "apparent cohesion"),
             number<&SteppedSurface::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
                                                     "angle of friction of the steps themselves"),
@@ -57,7 +57,7 @@ struct PattonBilinear {
 
     static constexpr std::string_view kind = "patton_bilinear";
     static constexpr auto fields() {
-        return std::tuple{number<&PattonBilinear::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+        return FieldTable{number<&PattonBilinear::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
                                                                   "angle of friction once asperities are sheared"),
                           number<&PattonBilinear::roughness_angle>(
                               Dimension::angle, within(0, degrees(89.9)),
@@ -77,7 +77,7 @@ struct BartonBandis {
 
     static constexpr std::string_view kind = "barton_bandis";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&BartonBandis::residual_friction_angle>(Dimension::angle, within(0, degrees(70)),
                                                            "residual angle of friction"),
             number<&BartonBandis::joint_roughness_coefficient>(within(0, 20), "JRC at the scale of the surface"),
@@ -97,7 +97,7 @@ struct PowerCurve {
 
     static constexpr std::string_view kind = "power_curve";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&PowerCurve::coefficient>(at_least(0), "multiplier a"),
             number<&PowerCurve::exponent>(within(0.01, 1), "exponent b"),
             number<&PowerCurve::reference_stress>(Dimension::stress, more_than(0),

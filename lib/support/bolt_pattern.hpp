@@ -18,7 +18,6 @@
 #include "parameters/lengths.hpp"
 
 #include <optional>
-#include <tuple>
 
 namespace delabole {
 
@@ -29,7 +28,7 @@ struct Grout {
     T bond_strength;
     T plate_capacity;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&Grout::bond_strength>(Dimension::force_per_length, more_than(0),
                                           "force that a metre of grouted bolt passes on to the rock"),
             number<&Grout::plate_capacity>(Dimension::force, at_least(0), "force that the plate at the head bears")};
@@ -47,7 +46,7 @@ struct BoltPattern {
     T capacity;
     std::optional<Grout<T>> grout;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&BoltPattern::rows>(within(1, 1000), "number of rows, a whole one"),
             number<&BoltPattern::lowest_height>(Dimension::length, distance_range(),
                                                 "height of the lowest row's heads on the face above the toe"),

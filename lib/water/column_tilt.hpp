@@ -25,7 +25,7 @@ struct TiltedColumn {
 
     static constexpr std::string_view kind = "tilted_column";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&TiltedColumn::joint_dip>(Dimension::angle, between(0, degrees(90)),
                                              "dip of the joint that carries the water"),
             number<&TiltedColumn::saturated_tilt>(
@@ -41,7 +41,7 @@ struct ColumnTilt {
     double water_force_over_weight;  // U / W at that level
 
     static constexpr auto fields() {
-        return std::tuple{number<&ColumnTilt::tilt>(Dimension::angle, "tilt of the resultant of weight and water"),
+        return FieldTable{number<&ColumnTilt::tilt>(Dimension::angle, "tilt of the resultant of weight and water"),
                           number<&ColumnTilt::water_force_over_weight>("water force over weight of the column")};
     }
 };

@@ -17,7 +17,7 @@ template <class T = double>
 struct WaterDepth {
     T water_depth;
     static constexpr auto fields() {
-        return std::tuple{number<&WaterDepth::water_depth>(Dimension::length, distance_range(),
+        return FieldTable{number<&WaterDepth::water_depth>(Dimension::length, distance_range(),
                                                            "vertical depth of water above the lowest wetted point")};
     }
 };
@@ -26,7 +26,7 @@ template <class T = double>
 struct FilledRatio {
     T filled_ratio;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&FilledRatio::filled_ratio>(within(0, 1), "depth of water over the greatest possible depth")};
     }
 };
@@ -35,7 +35,7 @@ template <class T = double>
 struct WaterElevation {
     T water_elevation;
     static constexpr auto fields() {
-        return std::tuple{number<&WaterElevation::water_elevation>(
+        return FieldTable{number<&WaterElevation::water_elevation>(
             Dimension::length, position_range(),
             "elevation of the water surface in the datum of slope.toe_elevation; below the lowest wetted point the "
             "form gives no pressure")};
@@ -52,7 +52,7 @@ constexpr auto water_unit_weight_field(T member) {
 
 struct Dry {
     static constexpr std::string_view kind = "dry";
-    static constexpr auto fields() { return std::tuple{}; }
+    static constexpr auto fields() { return FieldTable{}; }
 };
 
 // Hoek & Bray: hydrostatic in the crack, decreasing linearly along the base from the crack to the point where it
@@ -63,7 +63,7 @@ struct CrackAndBaseWater {
     WaterLevel<T> level;
     static constexpr std::string_view kind = "crack_and_base";
     static constexpr auto fields() {
-        return std::tuple{water_unit_weight_field(&CrackAndBaseWater::unit_weight),
+        return FieldTable{water_unit_weight_field(&CrackAndBaseWater::unit_weight),
                           inlined(&CrackAndBaseWater::level, "level above the bottom of the crack")};
     }
 };
@@ -75,7 +75,7 @@ struct CrackOnlyWater {
     WaterLevel<T> level;
     static constexpr std::string_view kind = "crack_only";
     static constexpr auto fields() {
-        return std::tuple{water_unit_weight_field(&CrackOnlyWater::unit_weight),
+        return FieldTable{water_unit_weight_field(&CrackOnlyWater::unit_weight),
                           inlined(&CrackOnlyWater::level, "level above the bottom of the crack")};
     }
 };
@@ -89,7 +89,7 @@ struct BasePeakMidHeightWater {
     WaterLevel<T> level;
     static constexpr std::string_view kind = "base_peak_mid_height";
     static constexpr auto fields() {
-        return std::tuple{water_unit_weight_field(&BasePeakMidHeightWater::unit_weight),
+        return FieldTable{water_unit_weight_field(&BasePeakMidHeightWater::unit_weight),
                           inlined(&BasePeakMidHeightWater::level, "level above the point where the base daylights")};
     }
 };
@@ -103,7 +103,7 @@ struct PeakAtToeWater {
     WaterLevel<T> level;
     static constexpr std::string_view kind = "peak_at_toe";
     static constexpr auto fields() {
-        return std::tuple{water_unit_weight_field(&PeakAtToeWater::unit_weight),
+        return FieldTable{water_unit_weight_field(&PeakAtToeWater::unit_weight),
                           inlined(&PeakAtToeWater::level, "level above the point where the base daylights")};
     }
 };
@@ -113,7 +113,7 @@ struct PiezometricPoint {
     T x;
     T y;
     static constexpr auto fields() {
-        return std::tuple{number<&PiezometricPoint::x>(Dimension::length, position_range(),
+        return FieldTable{number<&PiezometricPoint::x>(Dimension::length, position_range(),
                                                        "horizontal distance from the toe, into the slope"),
                           number<&PiezometricPoint::y>(Dimension::length, position_range(), "height above the toe")};
     }
@@ -127,7 +127,7 @@ struct PiezometricLineWater {
     std::vector<PiezometricPoint<T>> point;
     static constexpr std::string_view kind = "piezometric_line";
     static constexpr auto fields() {
-        return std::tuple{water_unit_weight_field(&PiezometricLineWater::unit_weight),
+        return FieldTable{water_unit_weight_field(&PiezometricLineWater::unit_weight),
                           section<&PiezometricLineWater::point>("points of the line, x increasing")};
     }
 };
@@ -137,7 +137,7 @@ struct PressurePoint {
     T position;
     T pressure;
     static constexpr auto fields() {
-        return std::tuple{number<&PressurePoint::position>(within(0, 1),
+        return FieldTable{number<&PressurePoint::position>(within(0, 1),
                                                            "relative position: base 0 where it daylights to 1 at its "
                                                            "upper end; crack 0 at its bottom to 1 at the ground"),
                           number<&PressurePoint::pressure>(Dimension::stress, at_least(0), "water pressure")};
@@ -152,7 +152,7 @@ struct CustomWater {
     std::vector<PressurePoint<T>> base;
     static constexpr std::string_view kind = "custom";
     static constexpr auto fields() {
-        return std::tuple{section<&CustomWater::crack>("pressures along the crack, position increasing"),
+        return FieldTable{section<&CustomWater::crack>("pressures along the crack, position increasing"),
                           section<&CustomWater::base>("pressures along the base, position increasing")};
     }
 };
@@ -171,7 +171,7 @@ struct Pond {
     T depth;
     T unit_weight;
     static constexpr auto fields() {
-        return std::tuple{number<&Pond::depth>(Dimension::length, distance_range(),
+        return FieldTable{number<&Pond::depth>(Dimension::length, distance_range(),
                                                "depth of standing water above the toe, not above the crest"),
                           water_unit_weight_field(&Pond::unit_weight)};
     }

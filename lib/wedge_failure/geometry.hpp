@@ -87,7 +87,6 @@ struct WedgeGeometry {
     T area_1;
     T area_2;
     T crack_area;
-    T line_length;  // O E
     T crack_depth;  // vertical depth of E below the upper surface; 0 without a crack
 };
 
@@ -212,7 +211,6 @@ WedgeFailureCheck make_geometry(const WedgeFailure<T>& problem, WedgeGeometry<T>
     wedge.area_2 = triangle_area(wedge.crest_2, wedge.crack_2) + triangle_area(wedge.crack_2, wedge.line_end);
     wedge.crack_area =
         triangle_area(Vector3<T>(wedge.crack_1 - wedge.line_end), Vector3<T>(wedge.crack_2 - wedge.line_end));
-    wedge.line_length = length_of(wedge.line_end);
     wedge.crack_depth = problem.tension_crack ? T((upper_level - upper.dot(wedge.line_end)) / upper.z()) : T(0);
     return WedgeFailureCheck::valid;
 }

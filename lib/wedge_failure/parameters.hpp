@@ -33,7 +33,7 @@ struct WedgeSlope {
     T upper_surface_dip_direction;
     static constexpr auto fields() {
         using S = WedgeSlope;
-        return std::tuple{number<&S::height>(Dimension::length, extent_range(),
+        return FieldTable{number<&S::height>(Dimension::length, extent_range(),
                                              "vertical height from the point where the line of intersection comes out "
                                              "of the face to the point where plane 1 meets the crest"),
                           number<&S::face_dip>(Dimension::angle, between(0, degrees(180)),
@@ -53,7 +53,7 @@ struct WedgePlane {
     T dip_direction;
     StrengthLaw<T> strength;
     static constexpr auto fields() {
-        return std::tuple{number<&WedgePlane::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
+        return FieldTable{number<&WedgePlane::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
                           number<&WedgePlane::dip_direction>(Dimension::angle, azimuth_range(),
                                                              "azimuth of the dip, clockwise from north"),
                           section<&WedgePlane::strength>("shear strength of the plane")};
@@ -66,7 +66,7 @@ struct WedgeCrack {
     T dip_direction;
     T distance;
     static constexpr auto fields() {
-        return std::tuple{number<&WedgeCrack::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
+        return FieldTable{number<&WedgeCrack::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
                           number<&WedgeCrack::dip_direction>(Dimension::angle, azimuth_range(),
                                                              "azimuth of the dip, clockwise from north"),
                           number<&WedgeCrack::distance>(
@@ -85,7 +85,7 @@ struct FilledFissures {
     T filled_ratio;
     static constexpr std::string_view kind = "filled_fissures";
     static constexpr auto fields() {
-        return std::tuple{water_unit_weight_field(&FilledFissures::unit_weight),
+        return FieldTable{water_unit_weight_field(&FilledFissures::unit_weight),
                           number<&FilledFissures::filled_ratio>(
                               within(0, 1), "greatest pressure over that of fissures filled to the ground")};
     }
@@ -99,7 +99,7 @@ struct MeanPressures {
     static constexpr std::string_view kind = "mean_pressures";
     static constexpr auto fields() {
         using P = MeanPressures;
-        return std::tuple{number<&P::plane_1>(Dimension::stress, at_least(0), "mean water pressure on plane 1"),
+        return FieldTable{number<&P::plane_1>(Dimension::stress, at_least(0), "mean water pressure on plane 1"),
                           number<&P::plane_2>(Dimension::stress, at_least(0), "mean water pressure on plane 2"),
                           number<&P::tension_crack>(Dimension::stress, at_least(0),
                                                     "mean water pressure on the tension crack; absent: 0")};
@@ -116,7 +116,7 @@ struct WedgeSeismicLoad {
     std::optional<T> trend;
     static constexpr auto fields() {
         using S = WedgeSeismicLoad;
-        return std::tuple{number<&S::coefficient>(within(-5, 5), "inertia force over weight"),
+        return FieldTable{number<&S::coefficient>(within(-5, 5), "inertia force over weight"),
                           number<&S::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
                                              "direction of the force below the horizontal; absent: level"),
                           number<&S::trend>(Dimension::angle, azimuth_range(),
@@ -130,7 +130,7 @@ struct WedgeLoad {
     T plunge;
     T trend;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&WedgeLoad::force>(Dimension::force, at_least(0), "force on the wedge"),
             number<&WedgeLoad::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
                                        "direction of the force below the horizontal; negative: upwards"),
@@ -146,7 +146,7 @@ struct WedgeBolt {
     T trend;
     BoltAction action;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&WedgeBolt::force>(Dimension::force, at_least(0), "tension"),
             number<&WedgeBolt::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
                                        "direction below the horizontal, into the rock; negative: inclined upwards"),
@@ -171,7 +171,7 @@ struct WedgeFailure {
 
     static constexpr std::string_view kind = "wedge";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&WedgeFailure::slope>("face and upper surface"),
             section<&WedgeFailure::plane_1>("the plane along whose trace heights and the crack's place are measured"),
             section<&WedgeFailure::plane_2>("the other plane"),
@@ -191,7 +191,7 @@ struct WedgeFailureStudy {
 
     static constexpr std::string_view kind = "wedge";
     static constexpr auto fields() {
-        return std::tuple{inlined(&WedgeFailureStudy::model, "the slope and its wedge"),
+        return FieldTable{inlined(&WedgeFailureStudy::model, "the slope and its wedge"),
                           section<&WedgeFailureStudy::required>("inputs solved for")};
     }
 };

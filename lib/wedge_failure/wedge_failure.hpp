@@ -44,29 +44,28 @@ struct WedgeFailureResult {
         using R = WedgeFailureResult;
         using D = Dimension;
         constexpr Interval any = any_number();
-        return std::tuple{
+        return FieldTable{
             section<&R::contact>("planes on which the wedge slides; none: it is lifted off both"),
-            number("factor_of_safety", &R::factor_of_safety, D::ratio, any, "resisting over driving force"),
-            number("line_plunge", &R::line_plunge, D::angle, any, "plunge of the line of intersection"),
-            number("line_trend", &R::line_trend, D::angle, any, "trend of the line of intersection"),
-            number("sliding_plunge", &R::sliding_plunge, D::angle, any, "plunge of the direction of sliding"),
-            number("sliding_trend", &R::sliding_trend, D::angle, any, "trend of the direction of sliding"),
-            number("volume", &R::volume, D::volume, any, "volume of the wedge"),
-            number("weight", &R::weight, D::force, any, "weight of the wedge"),
-            number("area_1", &R::area_1, D::area, any, "area of plane 1 under the wedge"),
-            number("area_2", &R::area_2, D::area, any, "area of plane 2 under the wedge"),
-            number("crack_area", &R::crack_area, D::area, any, "area of the tension crack behind the wedge"),
-            number("crack_depth", &R::crack_depth, D::length, any,
-                   "vertical depth of the crack's foot below the upper surface"),
-            number("height_of_line", &R::height_of_line, D::length, any,
-                   "vertical height between the ends of the line of intersection, the crack disregarded"),
-            number("water_force_1", &R::water_force_1, D::force, any, "water force on plane 1"),
-            number("water_force_2", &R::water_force_2, D::force, any, "water force on plane 2"),
-            number("crack_water_force", &R::crack_water_force, D::force, any, "water force in the crack"),
-            number("normal_force_1", &R::normal_force_1, D::force, any, "effective normal force on plane 1"),
-            number("normal_force_2", &R::normal_force_2, D::force, any, "effective normal force on plane 2"),
-            number("driving_force", &R::driving_force, D::force, any, "force in the direction of sliding"),
-            number("resisting_force", &R::resisting_force, D::force, any, "available shear resistance")};
+            number<&R::factor_of_safety>("resisting over driving force"),
+            number<&R::line_plunge>(D::angle, "plunge of the line of intersection"),
+            number<&R::line_trend>(D::angle, "trend of the line of intersection"),
+            number<&R::sliding_plunge>(D::angle, "plunge of the direction of sliding"),
+            number<&R::sliding_trend>(D::angle, "trend of the direction of sliding"),
+            number<&R::volume>(D::volume, "volume of the wedge"),
+            number<&R::weight>(D::force, "weight of the wedge"),
+            number<&R::area_1>(D::area, any, "area of plane 1 under the wedge"),
+            number<&R::area_2>(D::area, any, "area of plane 2 under the wedge"),
+            number<&R::crack_area>(D::area, "area of the tension crack behind the wedge"),
+            number<&R::crack_depth>(D::length, "vertical depth of the crack's foot below the upper surface"),
+            number<&R::height_of_line>(
+                D::length, "vertical height between the ends of the line of intersection, the crack disregarded"),
+            number<&R::water_force_1>(D::force, any, "water force on plane 1"),
+            number<&R::water_force_2>(D::force, any, "water force on plane 2"),
+            number<&R::crack_water_force>(D::force, "water force in the crack"),
+            number<&R::normal_force_1>(D::force, any, "effective normal force on plane 1"),
+            number<&R::normal_force_2>(D::force, any, "effective normal force on plane 2"),
+            number<&R::driving_force>(D::force, "force in the direction of sliding"),
+            number<&R::resisting_force>(D::force, "available shear resistance")};
     }
 };
 

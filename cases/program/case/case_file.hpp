@@ -18,7 +18,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -48,7 +47,7 @@ struct Expectation {
     // A word has to be equal. Any other value has exactly one tolerance, unless it is unreachable.
     bool is_word() const;
     static constexpr auto fields() {
-        return std::tuple{with_default(section<&Expectation::label>("what is compared, in words")),
+        return FieldTable{with_default(section<&Expectation::label>("what is compared, in words")),
                           section<&Expectation::quantity>("name of an output of the model"),
                           section<&Expectation::value>("the value to compare with"),
                           section<&Expectation::tolerance>("greatest difference that is met"),
@@ -74,7 +73,7 @@ struct CaseFit : FitTask {
 struct ReportSettings {
     UnitSystem units;
     static constexpr auto fields() {
-        return std::tuple{section<&ReportSettings::units>("of sentences, tables and figures; CSV and JSON are metric")};
+        return FieldTable{section<&ReportSettings::units>("of sentences, tables and figures; CSV and JSON are metric")};
     }
 };
 

@@ -16,7 +16,7 @@ struct ExampleValue {
     double value;
     std::string unit;  // empty for a ratio
     static constexpr auto fields() {
-        return std::tuple{section<&ExampleValue::key>("the key"), number<&ExampleValue::value>("a value"),
+        return FieldTable{section<&ExampleValue::key>("the key"), number<&ExampleValue::value>("a value"),
                           with_default(section<&ExampleValue::unit>("its unit, of whose dimension the key is meant"))};
     }
 };

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -36,7 +35,7 @@ struct SweptInput {
     static constexpr auto fields() {
         using I = SweptInput;
         constexpr Dimension named = Dimension::named;
-        return std::tuple{
+        return FieldTable{
             refers_to(NameOf::input, section<&I::input>("the input that varies, e.g. strength.friction_angle")),
             refers_to(NameOf::input, section<&I::also>("further inputs that take the same value")),
             number("from", &I::from, named, any_number(), "first value of the input"),
@@ -57,7 +56,7 @@ struct SweepCurve {
     CurveDash dash = CurveDash::solid;
     std::vector<Condition> conditions;  // inputs that differ from the case's
     static constexpr auto fields() {
-        return std::tuple{section<&SweepCurve::label>("the curve in words"),
+        return FieldTable{section<&SweepCurve::label>("the curve in words"),
                           with_default(section<&SweepCurve::output>("name of an output of the model")),
                           with_default(section<&SweepCurve::dash>("how it is drawn")),
                           section("with", &SweepCurve::conditions, "inputs that differ from the case's")};
@@ -71,7 +70,7 @@ struct PrintedPoints {
     bool line = false;
     Polyline points;
     static constexpr auto fields() {
-        return std::tuple{section<&PrintedPoints::label>("what is printed, in words"),
+        return FieldTable{section<&PrintedPoints::label>("what is printed, in words"),
                           with_default(section<&PrintedPoints::source>("where it is printed")),
                           with_default(section<&PrintedPoints::line>("whether the points stand for a curve")),
                           number<&PrintedPoints::points>("points in the units of the axes, [[x, y], ...]")};
@@ -87,7 +86,7 @@ struct CurveRemark {
     std::string note;
     std::optional<std::string> unreachable;  // why the remark cannot be met: then it is shown but does not fail
     static constexpr auto fields() {
-        return std::tuple{section<&CurveRemark::label>("what is compared, in words"),
+        return FieldTable{section<&CurveRemark::label>("what is compared, in words"),
                           section<&CurveRemark::curve>("label of a curve"),
                           with_default(section<&CurveRemark::other>("label of the other curve")),
                           with_default(section<&CurveRemark::source>("where it is printed")),
@@ -102,9 +101,9 @@ struct CurveCrossing : CurveRemark {
     std::optional<double> tolerance;  // needed for a printed value that can be reached
     static constexpr auto fields() {
         using C = CurveCrossing;
-        return std::tuple_cat(CurveRemark::fields(),
-                              std::tuple{number<&C::printed>(Dimension::named, "where it is printed to be"),
-                                         number<&C::tolerance>(Dimension::named, at_least(0), "of what is printed")});
+        return joined(CurveRemark::fields(),
+                      FieldTable{number<&C::printed>(Dimension::named, "where it is printed to be"),
+                                 number<&C::tolerance>(Dimension::named, at_least(0), "of what is printed")});
     }
 };
 
@@ -115,8 +114,8 @@ enum class CurveRelation { falls, rises, below, above };
 struct CurveStatement : CurveRemark {
     CurveRelation relation = CurveRelation::falls;
     static constexpr auto fields() {
-        return std::tuple_cat(CurveRemark::fields(),
-                              std::tuple{section("is", &CurveStatement::relation, "what is stated of the curve")});
+        return joined(CurveRemark::fields(),
+                      FieldTable{section("is", &CurveStatement::relation, "what is stated of the curve")});
     }
 };
 
@@ -132,7 +131,7 @@ struct SweepInputs {
     std::vector<SweptInput> vary;  // the first is the axis; a second one gives a curve for each of its values, or a map
     std::optional<SweptInput> each;  // gives a figure for each of its values, and one of the crossings over them
     static constexpr auto fields() {
-        return std::tuple{section<&SweepInputs::name>("name of its files"),
+        return FieldTable{section<&SweepInputs::name>("name of its files"),
                           with_default(section<&SweepInputs::title>("title of its figures")),
                           with_default(section<&SweepInputs::caption>("caption of its figures")),
                           with_default(section<&SweepInputs::output_axis>("title of the axis of outputs")),
@@ -150,7 +149,7 @@ struct SweepCurves {
     Dimension dimension = Dimension::ratio;  // of the input along the axis
     static constexpr auto fields() {
         using C = SweepCurves;
-        return std::tuple{section("curve", &C::curves, "what is drawn"), section<&C::printed>("what is printed of it"),
+        return FieldTable{section("curve", &C::curves, "what is drawn"), section<&C::printed>("what is printed of it"),
                           section("crossing", &C::crossings, "where two curves meet"),
                           section("statement", &C::statements, "what is stated of the curves")};
     }

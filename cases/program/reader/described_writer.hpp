@@ -236,42 +236,37 @@ void write_sections(std::string& text, const Object& object, const std::string& 
 template <Described Object>
 void write_differences(std::string& values, std::string& sections, const Object& base, const Object& object,
                        const std::string& path) {
-    std::apply(
-        [&](const auto&... field) {
-            const auto write = [&](const auto& one) {
-                const auto& before = base.*one.member;
-                const auto& after = object.*one.member;
-                using Member = std::remove_cvref_t<decltype(after)>;
-                if constexpr (Described<Member>) {
-                    if (one.info.key.empty()) {
-                        write_differences(values, sections, before, after, path);
-                        return;
-                    }
-                }
-                std::string old_value;
-                std::string old_section;
-                std::string new_value;
-                std::string new_section;
-                detail::write_value(old_value, one.info, before, Dimension::ratio);
-                detail::write_section(old_section, one.info, before, path, Dimension::ratio);
-                detail::write_value(new_value, one.info, after, Dimension::ratio);
-                detail::write_section(new_section, one.info, after, path, Dimension::ratio);
-                if (old_value != new_value) {
-                    values += new_value;
-                    if (is_list_of_texts<Member> && new_value.empty()) {
-                        write_line(values, one.info.key, "[]");
-                    }
-                }
-                if (old_section != new_section) {
-                    sections += new_section;
-                    if (is_vector<Member> && new_section.empty()) {
-                        write_line(values, one.info.key, "[]");
-                    }
-                }
-            };
-            (write(field), ...);
-        },
-        Object::fields());
+    Object::fields().for_each([&](const auto& one) {
+        const auto& before = base.*one.member;
+        const auto& after = object.*one.member;
+        using Member = std::remove_cvref_t<decltype(after)>;
+        if constexpr (Described<Member>) {
+            if (one.info.key.empty()) {
+                write_differences(values, sections, before, after, path);
+                return;
+            }
+        }
+        std::string old_value;
+        std::string old_section;
+        std::string new_value;
+        std::string new_section;
+        detail::write_value(old_value, one.info, before, Dimension::ratio);
+        detail::write_section(old_section, one.info, before, path, Dimension::ratio);
+        detail::write_value(new_value, one.info, after, Dimension::ratio);
+        detail::write_section(new_section, one.info, after, path, Dimension::ratio);
+        if (old_value != new_value) {
+            values += new_value;
+            if (is_list_of_texts<Member> && new_value.empty()) {
+                write_line(values, one.info.key, "[]");
+            }
+        }
+        if (old_section != new_section) {
+            sections += new_section;
+            if (is_vector<Member> && new_section.empty()) {
+                write_line(values, one.info.key, "[]");
+            }
+        }
+    });
 }
 
 }  // namespace delabole

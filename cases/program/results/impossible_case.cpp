@@ -23,7 +23,7 @@ struct StatedImpossibility {
     std::string words;
     static constexpr auto fields() {
         using S = StatedImpossibility;
-        return std::tuple{section<&S::model>("word of the model"), section<&S::check>("name of the check that failed"),
+        return FieldTable{section<&S::model>("word of the model"), section<&S::check>("name of the check that failed"),
                           with_default(section<&S::keys>("keys that may be to blame")),
                           section<&S::words>("what is wrong")};
     }

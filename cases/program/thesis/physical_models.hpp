@@ -62,7 +62,7 @@ struct BaseFrictionState {
     static constexpr auto fields() {
         using S = BaseFrictionState;
         using D = Dimension;
-        return std::tuple{
+        return FieldTable{
             section<&S::test>("number of the model, side of the table"),
             number("slope_angle", &S::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
             number("height_over_spacing", &S::height_over_spacing, D::ratio, more_than(0),
@@ -106,7 +106,7 @@ struct SlopeHeightVariation {
     static constexpr auto fields() {
         using V = SlopeHeightVariation;
         using D = Dimension;
-        return std::tuple{
+        return FieldTable{
             number("model", &V::model, D::ratio, at_least(1), "number of the model"),
             number("slope_angle", &V::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
             number("joint_dip", &V::joint_dip, D::angle, detail::slope_angles, "dip of the joints, into the slope"),
@@ -132,7 +132,7 @@ struct TiltingFrameAngle {
     std::string meaning;
     static constexpr auto fields() {
         using A = TiltingFrameAngle;
-        return std::tuple{delabole::section<&A::key>("its name here"),
+        return FieldTable{delabole::section<&A::key>("its name here"),
                           number<&A::least>(Dimension::angle, within(0, degrees(90)), "least printed"),
                           number<&A::most>(Dimension::angle, within(0, degrees(90)), "greatest printed"),
                           delabole::section<&A::section>("section of the thesis"),
@@ -163,7 +163,7 @@ struct MechanismVerdict {
     static constexpr auto fields() {
         using V = MechanismVerdict;
         using D = Dimension;
-        return std::tuple{
+        return FieldTable{
             section<&V::plate>("plate, or the model told of beside it"),
             section<&V::mechanism>("mode of failure tried"),
             section<&V::profile>("post-failure profile reproduced"),
@@ -198,7 +198,7 @@ struct PrintedTrend {
     std::string doubt;
     static constexpr auto fields() {
         using T = PrintedTrend;
-        return std::tuple{section<&T::conclusion>("number of the conclusion"),
+        return FieldTable{section<&T::conclusion>("number of the conclusion"),
                           section<&T::parameter>("what was varied"), section<&T::response>("what was observed"),
                           section<&T::change>("of the response as the parameter grows"),
                           section<&T::doubt>(detail::doubt_meaning)};
@@ -220,7 +220,7 @@ struct GroundwaterTest {
         using T = GroundwaterTest;
         using D = Dimension;
         constexpr Interval frictions = between(0, degrees(90));
-        return std::tuple{
+        return FieldTable{
             section<&T::material>("mixture or cork"),
             number("density", &T::density, D::density, more_than(0), "density of the material"),
             number("friction_least", &T::friction_least, D::angle, frictions, "friction, its least"),

@@ -31,7 +31,7 @@ struct PublishedFactors {
     static constexpr auto fields() {
         using P = PublishedFactors;
         constexpr Dimension ratio = Dimension::ratio;
-        return std::tuple{section<&P::problem>("number in the manual"),
+        return FieldTable{section<&P::problem>("number in the manual"),
                           section("case", &P::name, "name of the case file"),
                           number("closed_form", &P::closed_form, ratio, more_than(0), "limit equilibrium or bound"),
                           number("udec", &P::udec, ratio, more_than(0), "distinct elements"),

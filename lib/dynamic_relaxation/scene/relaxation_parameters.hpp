@@ -14,7 +14,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -35,7 +34,7 @@ struct RelaxationBond {
     std::optional<double> spacing;
     static constexpr auto fields() {
         using B = RelaxationBond;
-        return std::tuple{
+        return FieldTable{
             number<&B::young_modulus>(Dimension::stress, more_than(0),
                                       "of the plane: E in plane stress, E / (1 - nu^2) in plane strain"),
             number<&B::shear_modulus>(Dimension::stress, more_than(0), "of the rock"),
@@ -59,7 +58,7 @@ struct RelaxationJoint {
     std::optional<double> residual_cohesion = {};
     static constexpr auto fields() {
         using J = RelaxationJoint;
-        return std::tuple{
+        return FieldTable{
             number<&J::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "peak friction angle"),
             number<&J::residual_friction_angle>(Dimension::angle, right_open(0, degrees(90)),
                                                 "after the first slip or opening; absent: as the peak"),
@@ -80,7 +79,7 @@ struct RelaxationRowBlock {
     double height;
     std::optional<BlockHold> hold;
     static constexpr auto fields() {
-        return std::tuple{number<&RelaxationRowBlock::width>(Dimension::length, more_than(0), "along the base"),
+        return FieldTable{number<&RelaxationRowBlock::width>(Dimension::length, more_than(0), "along the base"),
                           number<&RelaxationRowBlock::height>(Dimension::length, more_than(0), "normal to the base"),
                           section<&RelaxationRowBlock::hold>(hold_meaning)};
     }
@@ -92,7 +91,7 @@ struct RelaxationColumn {
     double step_above;
     std::optional<BlockHold> hold;
     static constexpr auto fields() {
-        return std::tuple{number<&RelaxationColumn::width>(Dimension::length, more_than(0), "along the base"),
+        return FieldTable{number<&RelaxationColumn::width>(Dimension::length, more_than(0), "along the base"),
                           number<&RelaxationColumn::height>(Dimension::length, more_than(0), "normal to the base"),
                           number<&RelaxationColumn::step_above>(Dimension::length, at_least(0),
                                                                 "from its base up to that of the next column"),
@@ -107,7 +106,7 @@ struct RelaxationScatter {
     double height_deviation;
     double friction_deviation;
     static constexpr auto fields() {
-        return std::tuple{number<&RelaxationScatter::seed>(within(0, 1e9), "of the random numbers"),
+        return FieldTable{number<&RelaxationScatter::seed>(within(0, 1e9), "of the random numbers"),
                           number<&RelaxationScatter::height_deviation>(
                               right_open(0, 0.5), "standard deviation of a height over the height"),
                           number<&RelaxationScatter::friction_deviation>(Dimension::angle, right_open(0, degrees(20)),
@@ -125,7 +124,7 @@ struct RelaxationRow {
     std::vector<RelaxationRowBlock> block;
     static constexpr std::string_view kind = "row";
     static constexpr auto fields() {
-        return std::tuple{number<&RelaxationRow::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
+        return FieldTable{number<&RelaxationRow::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
                                                        "dip of the plane, to -x"),
                           number<&RelaxationRow::density>(Dimension::density, more_than(0), "of the rock"),
                           section<&RelaxationRow::interface>("joints between the blocks"),
@@ -145,7 +144,7 @@ struct RelaxationColumns {
     std::vector<RelaxationColumn> block;
     static constexpr std::string_view kind = "stepped_base";
     static constexpr auto fields() {
-        return std::tuple{number<&RelaxationColumns::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
+        return FieldTable{number<&RelaxationColumns::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
                                                            "dip of the bases, to -x"),
                           number<&RelaxationColumns::density>(Dimension::density, more_than(0), "of the rock"),
                           section<&RelaxationColumns::interface>("joints between the columns"),
@@ -160,7 +159,7 @@ struct RelaxationVertex {
     double y;
     std::optional<double> joint;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&RelaxationVertex::x>(Dimension::length, "in the initial geometry"),
             number<&RelaxationVertex::y>(Dimension::length, "in the initial geometry"),
             number<&RelaxationVertex::joint>(
@@ -175,7 +174,7 @@ struct RelaxationPolygon {
     std::vector<RelaxationVertex> vertex;
     static constexpr auto fields() {
         using P = RelaxationPolygon;
-        return std::tuple{number<&P::density>(Dimension::density, more_than(0), "of the rock"),
+        return FieldTable{number<&P::density>(Dimension::density, more_than(0), "of the rock"),
                           section<&P::hold>(hold_meaning),
                           number<&P::joint>(at_least(1), "number of the joint along its edges; absent: the first"),
                           section<&P::vertex>("corners, convex and anticlockwise")};
@@ -190,7 +189,7 @@ struct RelaxationPolygons {
 
     static constexpr std::string_view kind = "blocks";
     static constexpr auto fields() {
-        return std::tuple{number<&RelaxationPolygons::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
+        return FieldTable{number<&RelaxationPolygons::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
                                                             "of gravity against the section, as if that dipped to -x"),
                           section<&RelaxationPolygons::joint>("properties of joints, counted from 1"),
                           section<&RelaxationPolygons::block>("the blocks, counted from 1")};
@@ -202,7 +201,7 @@ struct SlopeJoint {
     std::optional<double> water_share;
     RelaxationJoint strength;
     static constexpr auto fields() {
-        return std::tuple{section<&SlopeJoint::name>("by which cuts refer to it"),
+        return FieldTable{section<&SlopeJoint::name>("by which cuts refer to it"),
                           number<&SlopeJoint::water_share>(
                               within(0, 1), "of the pressure below the water table that acts in it; absent: 1"),
                           inlined(&SlopeJoint::strength, "strength and stiffness")};
@@ -224,7 +223,7 @@ struct RelaxationSlope {
     static constexpr std::string_view kind = "jointed_slope";
     static constexpr auto fields() {
         using S = RelaxationSlope;
-        return std::tuple{number<&S::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
+        return FieldTable{number<&S::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
                                            "of gravity against the section, as if that dipped to -x; absent: 0"),
                           inlined(&S::geometry, "outline and cuts"),
                           section<&S::rock>("rocks; all is of the first where no line says otherwise"),
@@ -252,7 +251,7 @@ struct Tilting {
     std::optional<double> pivot_y;
     static constexpr auto fields() {
         using T = Tilting;
-        return std::tuple{section<&T::turned>("gravity in the section, or the fixed blocks under it"),
+        return FieldTable{section<&T::turned>("gravity in the section, or the fixed blocks under it"),
                           number<&T::final_tilt>(Dimension::angle, between(degrees(-90), degrees(90)), "tilt reached"),
                           number<&T::rate>(Dimension::angular_speed, more_than(0), "speed of tilting"),
                           number<&T::interval>(Dimension::time, at_least(0),
@@ -268,7 +267,7 @@ struct BaseFriction {
     double belt_speed;
     double friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number<&BaseFriction::belt_speed>(Dimension::speed, more_than(0),
+        return FieldTable{number<&BaseFriction::belt_speed>(Dimension::speed, more_than(0),
                                                             "of the belt, with the direction gravity would have"),
                           number<&BaseFriction::friction_angle>(Dimension::angle, between(0, degrees(90)),
                                                                 "of the blocks on the belt")};
@@ -283,7 +282,7 @@ struct ForceOnBlock {
     double vertical;
     static constexpr auto fields() {
         using F = ForceOnBlock;
-        return std::tuple{
+        return FieldTable{
             number<&F::block>(at_least(1), "number of the block"),
             number<&F::x>(Dimension::length, "where it acts, in the initial geometry; moves with the block"),
             number<&F::y>(Dimension::length, "where it acts, in the initial geometry"),
@@ -301,7 +300,7 @@ struct BoltBar {
     std::optional<double> pretension;
     std::optional<double> free_length_at_joints;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&BoltBar::plunge>(Dimension::angle, within(degrees(-90), degrees(90)), "below the section's x axis"),
             number<&BoltBar::length>(Dimension::length, extent_range(), "from its head to its end"),
             number<&BoltBar::spacing>(Dimension::length, extent_range(), "along the slope, from bolt to bolt"),
@@ -319,7 +318,7 @@ struct RelaxationBolt {
     double head_y;
     BoltBar bar;
     static constexpr auto fields() {
-        return std::tuple{number<&RelaxationBolt::head_x>(Dimension::length, "its head, on the face of a block"),
+        return FieldTable{number<&RelaxationBolt::head_x>(Dimension::length, "its head, on the face of a block"),
                           number<&RelaxationBolt::head_y>(Dimension::length, "likewise"),
                           inlined(&RelaxationBolt::bar, "the bar")};
     }
@@ -331,7 +330,7 @@ struct BoltRows {
     double row_spacing;
     BoltBar bar;
     static constexpr auto fields() {
-        return std::tuple{number<&BoltRows::rows>(within(1, 1000), "number of rows, a whole one"),
+        return FieldTable{number<&BoltRows::rows>(within(1, 1000), "number of rows, a whole one"),
                           number<&BoltRows::lowest_height>(Dimension::length,
                                                            "of the lowest heads above the section's lowest corner"),
                           number<&BoltRows::row_spacing>(Dimension::length, extent_range(), "from row to row"),
@@ -345,7 +344,7 @@ struct WaterPressure {
     double at_first;
     double at_second;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&WaterPressure::block>(at_least(1), "number of the block"),
             number<&WaterPressure::edge>(
                 at_least(1), "number of the face, anticlockwise from the first corner (of a row: 1 below, 2 up-slope)"),
@@ -361,7 +360,7 @@ struct WaterInJoint {
     double at_second;
     static constexpr auto fields() {
         using W = WaterInJoint;
-        return std::tuple{
+        return FieldTable{
             number<&W::block>(at_least(1), "number of a block"),
             number<&W::other>(at_least(1), "number of a block whose face lies on its face"),
             number<&W::at_first>(Dimension::stress, at_least(0),
@@ -376,7 +375,7 @@ struct ShakingPoint {
     double horizontal;
     double vertical;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&ShakingPoint::time>(Dimension::time, at_least(0), "of the record, increasing"),
             number<&ShakingPoint::horizontal>(
                 Dimension::acceleration,
@@ -390,7 +389,7 @@ struct VelocityPoint {
     double horizontal;
     double vertical;
     static constexpr auto fields() {
-        return std::tuple{number<&VelocityPoint::time>(Dimension::time, at_least(0), "of the record, increasing"),
+        return FieldTable{number<&VelocityPoint::time>(Dimension::time, at_least(0), "of the record, increasing"),
                           number<&VelocityPoint::horizontal>(Dimension::speed, "of the centroid, along x"),
                           number<&VelocityPoint::vertical>(Dimension::speed, "of the centroid, along y")};
     }
@@ -403,7 +402,7 @@ struct Turning {
     double pivot_x;
     double pivot_y;
     static constexpr auto fields() {
-        return std::tuple{number<&Turning::rate>(Dimension::angular_speed, "angular velocity, anticlockwise"),
+        return FieldTable{number<&Turning::rate>(Dimension::angular_speed, "angular velocity, anticlockwise"),
                           number<&Turning::start>(Dimension::time, at_least(0), "of turning"),
                           number<&Turning::duration>(Dimension::time, at_least(0), "of turning"),
                           number<&Turning::pivot_x>(Dimension::length, "point turned about"),
@@ -417,7 +416,7 @@ struct FixedBlockMotion {
     std::vector<VelocityPoint> velocity;
     static constexpr auto fields() {
         using M = FixedBlockMotion;
-        return std::tuple{number("fixed_block", &M::block, Dimension::ratio, at_least(1), "number of a fixed block"),
+        return FieldTable{number("fixed_block", &M::block, Dimension::ratio, at_least(1), "number of a fixed block"),
                           section<&M::turning>("about a point"),
                           section<&M::velocity>("linear between, zero before the first, the last one kept")};
     }
@@ -427,7 +426,7 @@ struct BlockRemoval {
     double block;
     double time;
     static constexpr auto fields() {
-        return std::tuple{number<&BlockRemoval::block>(at_least(1), "number of the block"),
+        return FieldTable{number<&BlockRemoval::block>(at_least(1), "number of the block"),
                           number<&BlockRemoval::time>(Dimension::time, at_least(0), "at which it is taken away")};
     }
 };
@@ -448,7 +447,7 @@ struct Relaxation {
     std::vector<BlockRemoval> removal;
     static constexpr auto fields() {
         using R = Relaxation;
-        return std::tuple{
+        return FieldTable{
             absent_is(Gravity{}.acceleration,
                       number<&R::gravity>(Dimension::acceleration, at_least(0), "acceleration")),
             section<&R::shaking_file>("CSV file with the record of shaking, beside the case, columns time_s, "

@@ -7,7 +7,6 @@
 
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -16,7 +15,7 @@ struct SlopeRock {
     std::string name;
     double density;
     static constexpr auto fields() {
-        return std::tuple{section<&SlopeRock::name>("by which lines and sets refer to it"),
+        return FieldTable{section<&SlopeRock::name>("by which lines and sets refer to it"),
                           number<&SlopeRock::density>(Dimension::density, more_than(0), "of the rock")};
     }
 };
@@ -30,7 +29,7 @@ struct SlopeFrame {
     std::optional<double> reach;
     std::string joint;
     static constexpr auto fields() {
-        return std::tuple{section<&SlopeFrame::sides>("of the section that rest on fixed blocks"),
+        return FieldTable{section<&SlopeFrame::sides>("of the section that rest on fixed blocks"),
                           number<&SlopeFrame::thickness>(Dimension::length, more_than(0), "of the fixed blocks"),
                           number<&SlopeFrame::reach>(
                               Dimension::length, at_least(0),
@@ -46,7 +45,7 @@ struct SlopeWater {
     std::vector<SectionPoint> vertex;
     static constexpr auto fields() {
         using W = SlopeWater;
-        return std::tuple{number<&W::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of water"),
+        return FieldTable{number<&W::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of water"),
                           section<&W::vertex>("points of the water table, x increasing")};
     }
 };
@@ -54,7 +53,7 @@ struct SlopeWater {
 struct SlopeArea {
     std::vector<SectionPoint> vertex;
     static constexpr auto fields() {
-        return std::tuple{section<&SlopeArea::vertex>("corners of an area; it has the blocks whose centre is in it")};
+        return FieldTable{section<&SlopeArea::vertex>("corners of an area; it has the blocks whose centre is in it")};
     }
 };
 
@@ -62,7 +61,7 @@ struct SlopeStage {
     double time;
     std::vector<SectionPoint> vertex;
     static constexpr auto fields() {
-        return std::tuple{number<&SlopeStage::time>(Dimension::time, at_least(0), "at which its blocks are taken away"),
+        return FieldTable{number<&SlopeStage::time>(Dimension::time, at_least(0), "at which its blocks are taken away"),
                           section<&SlopeStage::vertex>("corners of an area; it has the blocks whose centre is in it")};
     }
 };

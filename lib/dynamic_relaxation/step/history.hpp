@@ -6,7 +6,6 @@
 #include "parameters/fields.hpp"
 
 #include <cstddef>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -14,7 +13,7 @@ namespace delabole {
 struct BlockMonitor {
     double block;
     static constexpr auto fields() {
-        return std::tuple{number<&BlockMonitor::block>(at_least(1), "number of the block")};
+        return FieldTable{number<&BlockMonitor::block>(at_least(1), "number of the block")};
     }
 };
 
@@ -22,7 +21,7 @@ struct ContactMonitor {
     double block;
     double other;
     static constexpr auto fields() {
-        return std::tuple{number<&ContactMonitor::block>(at_least(1), "number of the block that is pressed"),
+        return FieldTable{number<&ContactMonitor::block>(at_least(1), "number of the block that is pressed"),
                           number<&ContactMonitor::other>(at_least(1), "number of the block that presses it")};
     }
 };
@@ -33,7 +32,7 @@ struct HistoryRequest {
     std::vector<ContactMonitor> contact;
     static constexpr auto fields() {
         using H = HistoryRequest;
-        return std::tuple{number<&H::interval>(Dimension::time, more_than(0), "model time between lines of the tables"),
+        return FieldTable{number<&H::interval>(Dimension::time, more_than(0), "model time between lines of the tables"),
                           section<&H::block>("blocks whose motion is wanted"),
                           section<&H::contact>("pairs of blocks whose force is wanted")};
     }

@@ -63,7 +63,7 @@ struct BlockOutcome {
     // towards -x. Accuracy: a block that rotates over a corner changes corners, and so this value, within fifty steps.
     double base_slip = 0;
     static constexpr auto fields() {
-        return std::tuple{section<&BlockOutcome::movement>("how it has moved"),
+        return FieldTable{section<&BlockOutcome::movement>("how it has moved"),
                           number<&BlockOutcome::rotation>(Dimension::angle, "anticlockwise, out of the slope"),
                           number<&BlockOutcome::displacement>(Dimension::length, "of the centroid"),
                           number<&BlockOutcome::base_slip>(Dimension::length, "over its base, forward negative")};
@@ -74,7 +74,7 @@ struct BoltOutcome {
     double force = 0;    // N/m
     double yielded = 0;  // m
     static constexpr auto fields() {
-        return std::tuple{number<&BoltOutcome::force>(Dimension::force_per_length, "tension, where it is greatest"),
+        return FieldTable{number<&BoltOutcome::force>(Dimension::force_per_length, "tension, where it is greatest"),
                           number<&BoltOutcome::yielded>(Dimension::length, "by which it has stretched for good")};
     }
 };

@@ -11,7 +11,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -34,20 +33,18 @@ struct EnergyBalance {
     static constexpr auto fields() {
         using E = EnergyBalance;
         constexpr Dimension energy = Dimension::energy_per_length;
-        return std::tuple{
-            number("applied", &E::applied, energy, any_number(), "work of gravity and other loads"),
-            number("prescribed", &E::prescribed, energy, any_number(), "work of moved fixed blocks"),
-            number("kinetic", &E::kinetic, energy, any_number(), "kinetic energy at the end"),
-            number("elastic", &E::elastic, energy, any_number(), "stored in springs at the end, above the start"),
-            number("friction", &E::friction, energy, any_number(), "dissipated by slip"),
-            number("bonds", &E::bonds, energy, any_number(), "set free by bonds that broke"),
-            number("dashpots", &E::dashpots, energy, any_number(), "dissipated by contact dashpots"),
-            number("local_damping", &E::local_damping, energy, any_number(), "dissipated by local damping"),
-            number("kinetic_damping", &E::kinetic_damping, energy, any_number(),
-                   "taken out at energy peaks, and with removed blocks"),
-            number("residual", &E::residual, energy, any_number(), "residual of the energy balance"),
-            number<&E::residual_share>(
-                "residual over all energy turned over; 0 where it is rounding of what springs hold")};
+        return FieldTable{number<&E::applied>(energy, "work of gravity and other loads"),
+                          number<&E::prescribed>(energy, "work of moved fixed blocks"),
+                          number<&E::kinetic>(energy, "kinetic energy at the end"),
+                          number<&E::elastic>(energy, "stored in springs at the end, above the start"),
+                          number<&E::friction>(energy, "dissipated by slip"),
+                          number<&E::bonds>(energy, "set free by bonds that broke"),
+                          number<&E::dashpots>(energy, "dissipated by contact dashpots"),
+                          number<&E::local_damping>(energy, "dissipated by local damping"),
+                          number<&E::kinetic_damping>(energy, "taken out at energy peaks, and with removed blocks"),
+                          number<&E::residual>(energy, "residual of the energy balance"),
+                          number<&E::residual_share>(
+                              "residual over all energy turned over; 0 where it is rounding of what springs hold")};
     }
 
     double residual() const {

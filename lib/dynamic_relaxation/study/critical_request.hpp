@@ -13,7 +13,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -57,7 +56,7 @@ struct TiltSearch {
     static constexpr std::string_view kind_key = "parameter";
     static constexpr std::string_view kind = "tilt";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&TiltSearch::lower>(Dimension::angle, between(degrees(-90), degrees(90)),
                                        "least tilt tried, which is constant whatever [tilting] does"),
             number<&TiltSearch::upper>(Dimension::angle, between(degrees(-90), degrees(90)), "greatest tilt tried"),
@@ -82,7 +81,7 @@ struct FrictionSearch {
     static constexpr std::string_view kind = "friction";
     static constexpr auto fields() {
         using F = FrictionSearch;
-        return std::tuple{
+        return FieldTable{
             number<&F::lower>(Dimension::angle, right_open(0, degrees(90)),
                               "least friction angle tried, of every joint, peak and residual"),
             number<&F::upper>(Dimension::angle, right_open(0, degrees(90)), "greatest friction angle tried"),
@@ -107,7 +106,7 @@ struct ReductionSearch {
     static constexpr std::string_view kind = "strength_reduction";
     static constexpr auto fields() {
         using R = ReductionSearch;
-        return std::tuple{
+        return FieldTable{
             absent_is(least_ratio, number<&R::lower>(more_than(0), "least factor tried")),
             absent_is(greatest_reduction, number<&R::upper>(more_than(0), "greatest factor tried")),
             absent_is(standard_ratio_tolerance, number<&R::tolerance>(within(1e-9, 1), tolerance_meaning)),
@@ -132,7 +131,7 @@ struct WeightSearch {
     static constexpr std::string_view kind = "weight";
     static constexpr auto fields() {
         using W = WeightSearch;
-        return std::tuple{
+        return FieldTable{
             absent_is(least_ratio, number<&W::lower>(more_than(0), "least factor tried")),
             absent_is(greatest_weight, number<&W::upper>(more_than(0), "greatest factor tried")),
             absent_is(standard_ratio_tolerance, number<&W::tolerance>(within(1e-9, 1), tolerance_meaning)),

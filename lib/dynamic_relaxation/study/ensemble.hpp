@@ -16,7 +16,6 @@
 #include <functional>
 #include <optional>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -29,7 +28,7 @@ struct EnsembleRequest {
     std::optional<double> friction_deviation;
     static constexpr auto fields() {
         using E = EnsembleRequest;
-        return std::tuple{
+        return FieldTable{
             number<&E::runs>(within(2, 1000), "slopes, the one as drawn among them"),
             number<&E::spacing_deviation>(within(0, 0.4),
                                           "standard deviation of the spacing of each set, as a share of it; absent: 0"),

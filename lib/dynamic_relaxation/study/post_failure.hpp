@@ -23,7 +23,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -35,7 +34,7 @@ struct PostFailureRequest {
     static constexpr double standard_crack_share = 0.01;
     static constexpr auto fields() {
         using R = PostFailureRequest;
-        return std::tuple{
+        return FieldTable{
             absent_is(
                 standard_moved_share,
                 number<&R::moved_share>(
@@ -53,7 +52,7 @@ struct CrestJoint {
     double opening;
     double farthest;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&CrestJoint::joint>("name of the properties along it"),
             number<&CrestJoint::open>("cracks, each by the share of its opening as a block by that of its movement"),
             number<&CrestJoint::opening>(Dimension::length, "of all together, none more than the median block's size"),
@@ -67,7 +66,7 @@ struct CrestMovement {
     double vertical;
     double rotation;
     static constexpr auto fields() {
-        return std::tuple{number<&CrestMovement::horizontal>(Dimension::length, "displacement, into the slope"),
+        return FieldTable{number<&CrestMovement::horizontal>(Dimension::length, "displacement, into the slope"),
                           number<&CrestMovement::vertical>(Dimension::length, "displacement, upwards"),
                           number<&CrestMovement::rotation>(Dimension::angle, "out of the slope")};
     }
@@ -91,7 +90,7 @@ struct PostFailureAnswer {
     static constexpr auto fields() {
         using P = PostFailureAnswer;
         constexpr Interval any = any_number();
-        return std::tuple{
+        return FieldTable{
             number<&P::failed_area>(Dimension::area, any, "of the section that has failed"),
             number<&P::failed_width>(Dimension::length, any, "of the ground behind the crest, failed"),
             number<&P::foot_level>(Dimension::length, any,

@@ -52,7 +52,7 @@ struct RelaxationNumerics {
     static constexpr auto fields() {
         using N = RelaxationNumerics;
         constexpr RelaxationSettings standard{};
-        return std::tuple{
+        return FieldTable{
             section<&N::quality>("sets step_fraction, stiffness_ratio and equilibrium_ratio where they are absent"),
             absent_is(accuracy_of(RelaxationQuality::standard).stiffness_ratio,
                       number<&N::stiffness_ratio>(within(1e3, 1e10),
@@ -121,7 +121,7 @@ struct RelaxationStudy {
     static constexpr std::string_view kind = "relaxation";
     static constexpr auto fields() {
         using S = RelaxationStudy;
-        return std::tuple{
+        return FieldTable{
             inlined(&S::model, "blocks, joints and loads"),
             section<&S::settings>("numerical settings, none of them a property of the rock"),
             section<&S::critical>("value between standing and failing"),
@@ -168,7 +168,7 @@ struct RelaxationAnswer {
     std::vector<BoltOutcome> bolt;
     static constexpr auto fields() {
         using R = RelaxationAnswer;
-        return std::tuple{
+        return FieldTable{
             section<&R::outcome>("how the run ended"),
             number<&R::onset_time>(Dimension::time, "of failure; infinite: no onset"),
             number<&R::time>(Dimension::time, "model time at the end"),

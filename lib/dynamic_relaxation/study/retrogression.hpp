@@ -20,7 +20,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -28,7 +27,7 @@ namespace delabole {
 struct RetrogressionRequest {
     std::optional<double> most_stages;
     static constexpr auto fields() {
-        return std::tuple{number<&RetrogressionRequest::most_stages>(
+        return FieldTable{number<&RetrogressionRequest::most_stages>(
             at_least(1),
             "after which what is left is not looked at: 1 finds the mass that fails first; absent: all there are")};
     }
@@ -47,7 +46,7 @@ struct RetrogressionStage {
     static constexpr auto fields() {
         using S = RetrogressionStage;
         constexpr Interval any = any_number();
-        return std::tuple{
+        return FieldTable{
             number<&S::blocks>(any, "blocks that failed"),
             number<&S::area>(Dimension::area, any, "of the section that failed"),
             number<&S::toppling_share>(any, "share of this area in blocks that turn out of the slope"),
@@ -68,7 +67,7 @@ struct RetrogressionAnswer {
     std::vector<RetrogressionStage> stage;
     static constexpr auto fields() {
         using R = RetrogressionAnswer;
-        return std::tuple{
+        return FieldTable{
             number<&R::stages>("masses that failed one after the other until the rest stood"),
             section<&R::total>("all of them together"), section<&R::first>("the first; zero where none failed"),
             section<&R::largest>("the one of the greatest area, likewise"), section<&R::stage>("each of them")};

@@ -51,7 +51,7 @@ struct RowAnswer {
     double critical_tilt_in_contact{};
     static constexpr auto fields() {
         using A = RowAnswer;
-        return std::tuple{
+        return FieldTable{
             section<&A::state>("at the given inclination"),
             section<&A::search>(
                 "exact: every mode was examined; bounded: a long row's likely ones; upper_bound: none of those is "
@@ -74,7 +74,7 @@ struct RowModeSummary {
     double second_critical_tilt;
     static constexpr auto fields() {
         using M = RowModeSummary;
-        return std::tuple{
+        return FieldTable{
             section<&M::roles>("one letter per block, see mode"), section<&M::admissibility>("admissible, or why not"),
             number<&M::critical_tilt>(Dimension::angle, "inclination at which moments balance; 90 deg: none"),
             number<&M::second_critical_tilt>(
@@ -95,16 +95,13 @@ struct RowBlockForces {
     static constexpr auto fields() {
         using F = RowBlockForces;
         using D = Dimension;
-        constexpr Interval any = any_number();
-        return std::tuple{
-            number("thrust", &F::thrust, D::force_per_length, any, "force from the block above"),
-            number("thrust_height", &F::thrust_height, D::length, any, "where it acts, above the base"),
-            number("shear", &F::shear, D::force_per_length, any,
-                   "shear in that interface, positive down on this block"),
-            number("normal_force", &F::normal_force, D::force_per_length, any, "base reaction"),
-            number("base_shear", &F::base_shear, D::force_per_length, any,
-                   "shear on the base, positive up-dip on the block"),
-            number("base_position", &F::base_position, D::length, any, "where the base reaction acts, from the toe")};
+        return FieldTable{
+            number<&F::thrust>(D::force_per_length, "force from the block above"),
+            number<&F::thrust_height>(D::length, "where it acts, above the base"),
+            number<&F::shear>(D::force_per_length, "shear in that interface, positive down on this block"),
+            number<&F::normal_force>(D::force_per_length, "base reaction"),
+            number<&F::base_shear>(D::force_per_length, "shear on the base, positive up-dip on the block"),
+            number<&F::base_position>(D::length, "where the base reaction acts, from the toe")};
     }
 };
 
@@ -115,7 +112,7 @@ struct BlockRowResult {
     std::vector<RowBlockForces> block{};  // in the governing mode; empty if there is none
     static constexpr auto fields() {
         using R = BlockRowResult;
-        return std::tuple{inlined(&R::answer, "what governs"), section<&R::mode>("the modes examined"),
+        return FieldTable{inlined(&R::answer, "what governs"), section<&R::mode>("the modes examined"),
                           section<&R::block>("forces in the governing mode")};
     }
 };

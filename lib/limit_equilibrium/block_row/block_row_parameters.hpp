@@ -19,7 +19,7 @@ struct RowBase {
     T inclination;
     T friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number<&RowBase::inclination>(Dimension::angle, right_open(0, degrees(90)),
+        return FieldTable{number<&RowBase::inclination>(Dimension::angle, right_open(0, degrees(90)),
                                                         "inclination of the plane as it is"),
                           number<&RowBase::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
                                                            "angle of friction between blocks and plane")};
@@ -30,7 +30,7 @@ template <class T = double>
 struct RowInterface {
     T friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number<&RowInterface::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+        return FieldTable{number<&RowInterface::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
                                                                 "angle of friction between neighbouring blocks")};
     }
 };
@@ -39,7 +39,7 @@ template <class T = double>
 struct WeightOfBlock {
     T weight;
     static constexpr auto fields() {
-        return std::tuple{number<&WeightOfBlock::weight>(Dimension::force_per_length, more_than(0),
+        return FieldTable{number<&WeightOfBlock::weight>(Dimension::force_per_length, more_than(0),
                                                          "weight of the block per metre run")};
     }
 };
@@ -48,7 +48,7 @@ template <class T = double>
 struct UnitWeightOfBlock {
     T unit_weight;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&UnitWeightOfBlock::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of the block")};
     }
 };
@@ -64,7 +64,7 @@ struct RowBlock {
     std::optional<T> base_friction_angle;
     std::optional<T> interface_friction_angle;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&RowBlock::height>(Dimension::length, extent_range(), "height, normal to the plane"),
             number<&RowBlock::width>(Dimension::length, extent_range(), "width, along the plane"),
             inlined(&RowBlock::mass, "weight or unit weight"),
@@ -84,7 +84,7 @@ struct BlockRow {
 
     static constexpr std::string_view kind = "block_row";
     static constexpr auto fields() {
-        return std::tuple{section<&BlockRow::base>("the plane"), section<&BlockRow::interface>("between the blocks"),
+        return FieldTable{section<&BlockRow::base>("the plane"), section<&BlockRow::interface>("between the blocks"),
                           section<&BlockRow::block>("the blocks, from the lowest up")};
     }
 };

@@ -42,7 +42,7 @@ struct BlockBody {
     T width;
     T unit_weight;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&BlockBody::height>(Dimension::length, extent_range(), "height, normal to the base"),
             number<&BlockBody::width>(Dimension::length, extent_range(), "width, along the base"),
             number<&BlockBody::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of the rock")};
@@ -55,7 +55,7 @@ struct BlockBase {
     T friction_angle;
     T cohesion;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&BlockBase::inclination>(Dimension::angle, right_open(0, degrees(90)), "inclination of the base"),
             number<&BlockBase::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
                                                "angle of friction of the base"),
@@ -70,7 +70,7 @@ struct BlockWater {
     T depth_behind;
     std::optional<T> depth_in_front;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&BlockWater::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of water"),
             number<&BlockWater::depth_behind>(Dimension::length, distance_range(),
                                               "water on the upper face, measured along it from the base"),
@@ -89,7 +89,7 @@ struct SingleBlock {
 
     static constexpr std::string_view kind = "single_block";
     static constexpr auto fields() {
-        return std::tuple{section<&SingleBlock::block>("the block"), section<&SingleBlock::base>("the plane"),
+        return FieldTable{section<&SingleBlock::block>("the block"), section<&SingleBlock::base>("the plane"),
                           section<&SingleBlock::water>("water behind, in front and below; absent: dry"),
                           section<&SingleBlock::seismic>("pseudo-static earthquake load; absent: none")};
     }
@@ -121,26 +121,21 @@ struct SingleBlockResult {
     static constexpr auto fields() {
         using R = SingleBlockResult;
         using D = Dimension;
-        constexpr Interval any = any_number();
-        return std::tuple{
+        return FieldTable{
             section<&R::static_mode>("the static criteria superposed"),
             section<&R::onset_mode>("motion of the rigid body released from rest"),
-            number("factor_of_safety", &R::factor_of_safety, D::ratio, any, "factor of safety against sliding"),
-            number("overturning_factor", &R::overturning_factor, D::ratio, any,
-                   "restoring over overturning moment about the toe"),
-            number("critical_sliding_inclination", &R::critical_sliding_inclination, D::angle, any,
-                   "inclination at which the block begins to slide; 90 deg: none"),
-            number("critical_toppling_inclination", &R::critical_toppling_inclination, D::angle, any,
-                   "inclination at which the block begins to topple; 90 deg: none"),
-            number("weight", &R::weight, D::force_per_length, any, "weight"),
-            number("driving_force", &R::driving_force, D::force_per_length, any, "force down the plane"),
-            number("normal_force", &R::normal_force, D::force_per_length, any, "effective force into the plane"),
-            number("reaction_position", &R::reaction_position, D::ratio, any,
-                   "where the static reaction acts: 0 toe, 1 heel"),
-            number("toe_acceleration", &R::toe_acceleration, D::ratio, any,
-                   "acceleration of the toe down the plane, over that of gravity"),
-            number("angular_acceleration", &R::angular_acceleration, D::ratio, any,
-                   "angular acceleration times height over the acceleration of gravity")};
+            number<&R::factor_of_safety>("factor of safety against sliding"),
+            number<&R::overturning_factor>("restoring over overturning moment about the toe"),
+            number<&R::critical_sliding_inclination>(D::angle,
+                                                     "inclination at which the block begins to slide; 90 deg: none"),
+            number<&R::critical_toppling_inclination>(D::angle,
+                                                      "inclination at which the block begins to topple; 90 deg: none"),
+            number<&R::weight>(D::force_per_length, "weight"),
+            number<&R::driving_force>(D::force_per_length, "force down the plane"),
+            number<&R::normal_force>(D::force_per_length, "effective force into the plane"),
+            number<&R::reaction_position>("where the static reaction acts: 0 toe, 1 heel"),
+            number<&R::toe_acceleration>("acceleration of the toe down the plane, over that of gravity"),
+            number<&R::angular_acceleration>("angular acceleration times height over the acceleration of gravity")};
     }
 };
 

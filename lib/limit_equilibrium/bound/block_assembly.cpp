@@ -41,10 +41,6 @@ void add_interfaces(const TurnedAxes& axes, double u, const std::vector<Piece>& 
     }
 }
 
-double cross(const Point& arm, const Point& force) {
-    return arm.x() * force.y() - arm.y() * force.x();
-}
-
 Body column_body(const TurnedAxes& axes, const Column<>& column) {
     Body body{};
     body.weight = column.weight;

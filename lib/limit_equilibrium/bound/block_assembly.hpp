@@ -42,7 +42,7 @@ struct CrossJoints {
     double stagger;  // less than the spacing
     double friction_angle;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&CrossJoints::spacing>(Dimension::length, extent_range(),
                                           "distance between cross joints, along the columns from each base"),
             number<&CrossJoints::stagger>(Dimension::length, distance_range(),

@@ -12,7 +12,6 @@ namespace delabole {
 
 namespace {
 
-using detail::cross;
 using detail::friction_of;
 using detail::horizontal_weights;
 using detail::refused;

@@ -2,6 +2,7 @@
 // in the equations of mechanics.
 #pragma once
 
+#include "geometry/polygon.hpp"
 #include "limit_equilibrium/bound/lp_bound.hpp"
 
 #include <algorithm>
@@ -11,10 +12,6 @@
 namespace delabole::detail {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-inline double cross(const Point& a, const Point& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 // Units that make weights and arms about 1.
 struct Scales {

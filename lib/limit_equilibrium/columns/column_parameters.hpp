@@ -25,7 +25,7 @@ constexpr auto joint_dip_field() {
 // Fields of columns of one spacing with their toe corners on one line.
 template <class Columns>
 constexpr auto regular_columns_fields() {
-    return std::tuple{
+    return FieldTable{
         joint_dip_field<Columns>(),
         number<&Columns::spacing>(Dimension::length, extent_range(), "normal spacing of joints"),
         number<&Columns::base_inclination>(Dimension::angle, between(0, degrees(90)),
@@ -65,7 +65,7 @@ struct ColumnBlock {
     T step_above;
     std::optional<T> unit_weight;
     static constexpr auto fields() {
-        return std::tuple{number<&ColumnBlock::height>(Dimension::length, distance_range(), "height above its base"),
+        return FieldTable{number<&ColumnBlock::height>(Dimension::length, distance_range(), "height above its base"),
                           number<&ColumnBlock::width>(Dimension::length, extent_range(), "width of its base"),
                           number<&ColumnBlock::step_above>(Dimension::length, distance_range(),
                                                            "rise of the next base over this one, along the joint"),
@@ -81,7 +81,7 @@ struct BlockColumns {
     std::vector<ColumnBlock<T>> block;
     static constexpr std::string_view kind = "blocks";
     static constexpr auto fields() {
-        return std::tuple{joint_dip_field<BlockColumns>(),
+        return FieldTable{joint_dip_field<BlockColumns>(),
                           section<&BlockColumns::block>("the blocks, from the toe up")};
     }
 };
@@ -96,7 +96,7 @@ struct FilledJointsWater {
     T filled_ratio;
     static constexpr std::string_view kind = "filled_joints";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             water_unit_weight_field(&FilledJointsWater::unit_weight),
             number<&FilledJointsWater::filled_ratio>(within(0, 1), "height of water over height of each joint")};
     }
@@ -109,7 +109,7 @@ struct WaterTable {
     WaterLevel<T> level;
     static constexpr std::string_view kind = "water_table";
     static constexpr auto fields() {
-        return std::tuple{water_unit_weight_field(&WaterTable::unit_weight),
+        return FieldTable{water_unit_weight_field(&WaterTable::unit_weight),
                           inlined(&WaterTable::level, "level above the toe; full is the height of the slope")};
     }
 };
@@ -122,7 +122,7 @@ struct DrawnDownWater {
     WaterLevel<T> level;
     static constexpr std::string_view kind = "drawn_down";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             water_unit_weight_field(&DrawnDownWater::unit_weight),
             inlined(&DrawnDownWater::level,
                     "level at the upper end of the base, above the toe; full is the height of the slope")};
@@ -139,7 +139,7 @@ struct PointLoad {
     T plunge;
     T height;
     static constexpr auto fields() {
-        return std::tuple{number<&PointLoad::block>(at_least(1), "number of the column, 1 at the toe"),
+        return FieldTable{number<&PointLoad::block>(at_least(1), "number of the column, 1 at the toe"),
                           number<&PointLoad::force>(Dimension::force_per_length, at_least(0), "force"),
                           number<&PointLoad::plunge>(
                               Dimension::angle, within(degrees(-90), degrees(270)),
@@ -158,7 +158,7 @@ struct ColumnBolt {
     T plunge;
     T height;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&ColumnBolt::block>(at_least(1), "number of the column, 1 at the toe"),
             number<&ColumnBolt::force>(Dimension::force_per_length, at_least(0), "tension"),
             number<&ColumnBolt::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
@@ -173,7 +173,7 @@ struct HeadWater {
     T unit_weight;
     T filled_ratio;
     static constexpr auto fields() {
-        return std::tuple{water_unit_weight_field(&HeadWater::unit_weight),
+        return FieldTable{water_unit_weight_field(&HeadWater::unit_weight),
                           number<&HeadWater::filled_ratio>(
                               within(0, 1), "vertical depth of water over vertical height of the joint")};
     }
@@ -187,7 +187,7 @@ struct SlideHead {
     T cohesion;
     std::optional<HeadWater<T>> water;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             number<&SlideHead::joint_dip>(Dimension::angle, left_open(0, degrees(90)),
                                           "dip of the joint on which the wedge slides, out of the slope"),
             number<&SlideHead::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "friction of that joint"),

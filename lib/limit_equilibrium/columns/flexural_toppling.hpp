@@ -31,7 +31,6 @@
 #include "parameters/model_interface.hpp"
 
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -41,7 +40,7 @@ struct FlexuralColumn {
     double height;
     static constexpr auto fields() {
         using C = FlexuralColumn;
-        return std::tuple{number<&C::width>(Dimension::length, extent_range(), "along the plane of the feet"),
+        return FieldTable{number<&C::width>(Dimension::length, extent_range(), "along the plane of the feet"),
                           number<&C::height>(Dimension::length, extent_range(), "normal to that plane")};
     }
 };
@@ -59,7 +58,7 @@ struct FlexuralSlope {
     static constexpr std::string_view kind = "flexural_toppling";
     static constexpr auto fields() {
         using S = FlexuralSlope;
-        return std::tuple{
+        return FieldTable{
             number<&S::base_dip>(Dimension::angle, right_open(0, degrees(90)),
                                  "of the plane of the feet, out of the slope"),
             number<&S::unit_weight>(Dimension::unit_weight, more_than(0), "of the rock"),
@@ -85,7 +84,7 @@ struct FlexuralColumnState {
     double normal = 0;  // N/m, compression at its foot, under that push
     static constexpr auto fields() {
         using C = FlexuralColumnState;
-        return std::tuple{
+        return FieldTable{
             section<&C::mode>("how it fails unless it is pushed"),
             number<&C::push>(Dimension::force_per_length,
                              "that it needs from the column below; infinite: none holds it"),
@@ -103,7 +102,7 @@ struct FlexuralStability {
     std::vector<FlexuralColumnState> column = {};
     static constexpr auto fields() {
         using S = FlexuralStability;
-        return std::tuple{
+        return FieldTable{
             number<&S::toe_push>(Dimension::force_per_length, "that the toe column would need; 0: the slope stands"),
             number<&S::required_tensile_strength>(
                 Dimension::stress, "least with which the slope stands; infinite: it is sheared off its feet"),

@@ -26,7 +26,7 @@ struct ColumnScene {
     std::optional<SlideHead<T>> slide_head;
 
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&ColumnScene::slope>("the ground surface; absent where blocks are given one by one"),
             section<&ColumnScene::columns>("joints and stepped base"),
             section<&ColumnScene::rock>("the rock mass"),

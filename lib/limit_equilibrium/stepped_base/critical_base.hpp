@@ -22,7 +22,7 @@ struct CriticalBaseSearch {
     std::optional<T> lower_end_height;
     std::optional<T> upper_end_height;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&CriticalBaseSearch::find>("what is searched for"),
             section<&CriticalBaseSearch::under>("water while the search is made"),
             number<&CriticalBaseSearch::lower_inclination>(Dimension::angle, within(0, degrees(90)),

@@ -17,7 +17,7 @@ template <class T = double>
 struct JointStrength {
     T friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number<&JointStrength::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+        return FieldTable{number<&JointStrength::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
                                                                  "friction angle of the joints between columns")};
     }
 };
@@ -27,7 +27,7 @@ struct BaseStrength {
     T friction_angle;
     T cohesion;
     static constexpr auto fields() {
-        return std::tuple{number<&BaseStrength::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
+        return FieldTable{number<&BaseStrength::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
                                                                 "friction angle of the bases of the columns"),
                           number<&BaseStrength::cohesion>(Dimension::stress, at_least(0),
                                                           "cohesion of the bases, where a column slides on its base")};
@@ -41,7 +41,7 @@ struct SteppedBase {
     BaseStrength<T> bases;
     static constexpr std::string_view kind = "stepped_base";
     static constexpr auto fields() {
-        return std::tuple{inlined(&SteppedBase::scene, "slope, columns, water and loads"),
+        return FieldTable{inlined(&SteppedBase::scene, "slope, columns, water and loads"),
                           section<&SteppedBase::joints>("strength of the joints between columns"),
                           section<&SteppedBase::bases>("strength of the bases")};
     }
@@ -94,7 +94,7 @@ struct RequiredCable {
     T height;
     T factor_of_safety;
     static constexpr auto fields() {
-        return std::tuple{number<&RequiredCable::block>(at_least(1), "number of the column, 1 at the toe"),
+        return FieldTable{number<&RequiredCable::block>(at_least(1), "number of the column, 1 at the toe"),
                           number<&RequiredCable::plunge>(
                               Dimension::angle, within(degrees(-90), degrees(90)),
                               "direction below the horizontal, into the slope; negative: inclined upwards"),
@@ -135,29 +135,20 @@ struct ColumnResult {
         using C = ColumnResult;
         using D = Dimension;
         using delabole::number;  // names the function, not the member
-        constexpr Interval any = any_number();
-        return std::tuple{
-            section<&C::mode>("what it does with the strength as given"),
-            number("width", &C::width, D::length, any, "width of its base"),
-            number("height", &C::height, D::length, any, "height of its middle line"),
-            number("weight", &C::weight, D::force_per_length, any, "weight"),
-            number("upper_force", &C::upper_force, D::force_per_length, any, "normal force of the column above"),
-            number("upper_force_height", &C::upper_force_height, D::length, any,
-                   "height above the base at which that acts"),
-            number("lower_force", &C::lower_force, D::force_per_length, any,
-                   "normal force needed from the column below"),
-            number("lower_force_height", &C::lower_force_height, D::length, any,
-                   "height above the base at which that acts"),
-            number("against_toppling", &C::against_toppling, D::force_per_length, any,
-                   "force from below that prevents toppling"),
-            number("against_sliding", &C::against_sliding, D::force_per_length, any,
-                   "force from below that prevents sliding"),
-            number("normal_reaction", &C::normal_reaction, D::force_per_length, any,
-                   "effective normal force of the base"),
-            number("shear_reaction", &C::shear_reaction, D::force_per_length, any, "shear force of the base, up-dip"),
-            number("friction_ratio", &C::friction_ratio, D::ratio, any, "shear force of the base over normal force"),
-            number("reaction_position", &C::reaction_position, D::ratio, any,
-                   "share of the width, from the toe corner, where they act")};
+        return FieldTable{section<&C::mode>("what it does with the strength as given"),
+                          number<&C::width>(D::length, "width of its base"),
+                          number<&C::height>(D::length, "height of its middle line"),
+                          number<&C::weight>(D::force_per_length, "weight"),
+                          number<&C::upper_force>(D::force_per_length, "normal force of the column above"),
+                          number<&C::upper_force_height>(D::length, "height above the base at which that acts"),
+                          number<&C::lower_force>(D::force_per_length, "normal force needed from the column below"),
+                          number<&C::lower_force_height>(D::length, "height above the base at which that acts"),
+                          number<&C::against_toppling>(D::force_per_length, "force from below that prevents toppling"),
+                          number<&C::against_sliding>(D::force_per_length, "force from below that prevents sliding"),
+                          number<&C::normal_reaction>(D::force_per_length, "effective normal force of the base"),
+                          number<&C::shear_reaction>(D::force_per_length, "shear force of the base, up-dip"),
+                          number<&C::friction_ratio>("shear force of the base over normal force"),
+                          number<&C::reaction_position>("share of the width, from the toe corner, where they act")};
     }
 };
 
@@ -196,7 +187,7 @@ struct SteppedBaseResult {
 
     static constexpr auto fields() {
         using Result = SteppedBaseResult;
-        return std::tuple{
+        return FieldTable{
             section<&Result::limit>(
                 "whether limiting equilibrium exists at any strength; abrupt: the slope stands down to the factor of "
                 "safety and fails past it, but nothing is in equilibrium there"),

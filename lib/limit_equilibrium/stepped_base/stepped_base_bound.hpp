@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <optional>
-#include <tuple>
 
 namespace delabole {
 
@@ -16,7 +15,7 @@ struct LinearProgrammingBound {
     double upper_part;
     std::optional<CrossJoints> cross_joints;
     static constexpr auto fields() {
-        return std::tuple{number<&LinearProgrammingBound::upper_part>(
+        return FieldTable{number<&LinearProgrammingBound::upper_part>(
                               within(1e-6, 1),
                               "share of each joint, from its top, over which columns touch; 1: the bound proper, "
                               "towards 0: the recursion, which puts forces on the tops"),
@@ -37,7 +36,7 @@ struct BoundResult {
     double body_count = 0;
 
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&BoundResult::status>("how the linear programme ended"),
             section<&BoundResult::check>("why there is none, where its assembly is invalid"),
             number<&BoundResult::factor_of_safety>(

@@ -22,7 +22,7 @@ struct SteppedBaseStudy {
 
     static constexpr std::string_view kind = "stepped_base";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             inlined(&SteppedBaseStudy::model, "slope, columns and their strength"),
             section<&SteppedBaseStudy::critical>("search for the least stable base"),
             section<&SteppedBaseStudy::required>("inputs solved for"),

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double most_nodes = 1e5;
 
-double cross(const Point& a, const Point& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 // Intersection of two lines that are not parallel.
 Point crossing(const SectionLine& a, const SectionLine& b) {
     const double determinant = cross(a.normal, b.normal);
@@ -25,11 +21,7 @@ Point direction(double dip) {
     return {std::cos(dip), std::sin(dip)};
 }
 
-// Left normal of a direction. For a line that rises into the slope it points upwards; the right normal points into the
-// slope.
-Point left_of(const Point& along) {
-    return {-along.y(), along.x()};
-}
+// The right normal of a line that rises into the slope points into the slope, the left one upwards.
 Point right_of(const Point& along) {
     return {along.y(), -along.x()};
 }

@@ -63,7 +63,7 @@ struct SteppedPathResult {
 
     static constexpr auto fields() {
         using R = SteppedPathResult;
-        return std::tuple{
+        return FieldTable{
             section<&R::limit>("whether limiting equilibrium exists at any strength; abrupt: past the factor of safety "
                                "the mass fails, but its toe is not in equilibrium there"),
             number<&R::factor_of_safety>(

@@ -29,7 +29,7 @@ struct SteppedPathSearch {
     std::optional<double> greatest_retreat;
     static constexpr auto fields() {
         using S = SteppedPathSearch;
-        return std::tuple{
+        return FieldTable{
             section<&S::mechanism>("how the mass fails"),
             number<&S::least_width>(
                 Dimension::length, distance_range(),
@@ -49,7 +49,7 @@ struct PathSteps {
     double cohesion;
     static constexpr auto fields() {
         using S = PathSteps;
-        return std::tuple{number<&S::dip>(Dimension::angle, between(degrees(-60), degrees(60)),
+        return FieldTable{number<&S::dip>(Dimension::angle, between(degrees(-60), degrees(60)),
                                           "of the planes, positive out of the slope, negative into it"),
                           number<&S::spacing>(Dimension::length, extent_range(),
                                               "normal spacing of the planes on which the surface may step; where they "
@@ -66,7 +66,7 @@ struct PathRisers {
     double cohesion;
     static constexpr auto fields() {
         using R = PathRisers;
-        return std::tuple{
+        return FieldTable{
             number<&R::dip>(Dimension::angle, left_open(0, degrees(90)), "of the joints, out of the slope"),
             number<&R::spacing>(Dimension::length, extent_range(),
                                 "normal spacing of the joints, one of which passes through the crest"),
@@ -82,7 +82,7 @@ struct PathColumns {
     double friction_angle;
     static constexpr auto fields() {
         using C = PathColumns;
-        return std::tuple{
+        return FieldTable{
             number<&C::dip>(Dimension::angle, within(degrees(-90), degrees(-30)),
                             "of the joints between columns, into the slope: negative"),
             number<&C::spacing>(Dimension::length, extent_range(),
@@ -100,7 +100,7 @@ struct RockBridges {
     double tensile_strength;
     static constexpr auto fields() {
         using B = RockBridges;
-        return std::tuple{
+        return FieldTable{
             number<&B::step_persistence>(within(0, 1), "share of the length along steps that is joint, not rock"),
             number<&B::riser_persistence>(within(0, 1), "the same along risers"),
             number<&B::cohesion>(Dimension::stress, at_least(0), "of the rock"),
@@ -116,7 +116,7 @@ struct MassiveRock {
     double boundary_height;
     static constexpr auto fields() {
         using M = MassiveRock;
-        return std::tuple{
+        return FieldTable{
             number<&M::boundary_dip>(
                 Dimension::angle, within(degrees(-60), degrees(89)),
                 "of the plane, positive out of the slope; between the dips of the steps and of the risers"),
@@ -134,7 +134,7 @@ struct WaterDrawnDown {
     static constexpr std::string_view kind = "drawn_down";
     static constexpr auto fields() {
         using W = WaterDrawnDown;
-        return std::tuple{water_unit_weight_field(&W::unit_weight),
+        return FieldTable{water_unit_weight_field(&W::unit_weight),
                           inlined(&W::level, "level behind, above the toe; full is the height of the slope"),
                           number<&W::reach>(Dimension::length, extent_range(),
                                             "horizontal distance from the toe to where the water stands at its level")};
@@ -156,7 +156,7 @@ struct SteppedPath {
 
     static constexpr std::string_view kind = "stepped_path";
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section<&SteppedPath::search>("which mechanism, and what counts as a failure"),
             section<&SteppedPath::slope>("the ground surface; no bench"),
             section<&SteppedPath::steps>("the flat set, on which the mass slides or its columns stand"),

@@ -20,7 +20,7 @@ struct Row {
     double height_ratio;
     Verdict verdict;
     static constexpr auto fields() {
-        return std::tuple{
+        return FieldTable{
             section("name", &Row::name, "its name"),
             number("slope_angle", &Row::slope_angle, Dimension::angle, left_open(0, degrees(90)), "angle"),
             number("height", &Row::height, Dimension::length, more_than(0), "height; absent: unknown"),

@@ -34,7 +34,7 @@ struct BaseFrictionTest {
     static constexpr auto fields() {
         using T = BaseFrictionTest;
         using D = Dimension;
-        return std::tuple{
+        return FieldTable{
             section("test", &T::test, "number of the model, side of the table"),
             number("slope_angle", &T::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
             number("slope_height", &T::slope_height, D::length, more_than(0), "height of the slope"),
@@ -62,7 +62,7 @@ struct ModelFeature {
     std::string doubt;
     static constexpr auto fields() {
         using F = ModelFeature;
-        return std::tuple{section("feature", &F::feature, "joint set, cleavage, fault or slope"),
+        return FieldTable{section("feature", &F::feature, "joint set, cleavage, fault or slope"),
                           section("dips_into", &F::dips_into, "pit, slope or not_said"),
                           number("dip", &F::dip, Dimension::angle, within(0, degrees(90)), "dip"),
                           number("spacing", &F::spacing, Dimension::length, more_than(0),

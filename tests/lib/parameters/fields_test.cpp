@@ -13,6 +13,7 @@ using delabole::Described;
 using delabole::Dimension;
 using delabole::display_unit;
 using delabole::FieldInfo;
+using delabole::FieldTable;
 using delabole::for_each_named_number;
 using delabole::for_each_number;
 using delabole::inlined;
@@ -33,7 +34,7 @@ template <class T = double>
 struct Depth {
     T depth;
     static constexpr auto fields() {
-        return std::tuple{number("depth", &Depth::depth, Dimension::length, at_least(0), "depth")};
+        return FieldTable{number("depth", &Depth::depth, Dimension::length, at_least(0), "depth")};
     }
 };
 
@@ -41,7 +42,7 @@ template <class T = double>
 struct Ratio {
     T ratio;
     static constexpr auto fields() {
-        return std::tuple{number("ratio", &Ratio::ratio, Dimension::ratio, within(0, 1), "ratio")};
+        return FieldTable{number("ratio", &Ratio::ratio, Dimension::ratio, within(0, 1), "ratio")};
     }
 };
 
@@ -50,7 +51,7 @@ struct Smooth {
     T friction;
     static constexpr std::string_view kind = "smooth";
     static constexpr auto fields() {
-        return std::tuple{number("friction", &Smooth::friction, Dimension::angle, within(0, 1.5), "friction")};
+        return FieldTable{number("friction", &Smooth::friction, Dimension::angle, within(0, 1.5), "friction")};
     }
 };
 
@@ -60,7 +61,7 @@ struct Rough {
     T roughness;
     static constexpr std::string_view kind = "rough";
     static constexpr auto fields() {
-        return std::tuple{number("friction", &Rough::friction, Dimension::angle, within(0, 1.5), "friction"),
+        return FieldTable{number("friction", &Rough::friction, Dimension::angle, within(0, 1.5), "friction"),
                           number("roughness", &Rough::roughness, Dimension::angle, within(0, 1.5), "roughness")};
     }
 };
@@ -77,7 +78,7 @@ struct House {
     std::variant<Depth<T>, Ratio<T>> level;
     std::vector<Depth<T>> pit;
     static constexpr auto fields() {
-        return std::tuple{section("name", &House::name, "text"),
+        return FieldTable{section("name", &House::name, "text"),
                           section("colour", &House::colour, "word"),
                           number("weight", &House::weight, Dimension::unit_weight, more_than(0), "weight"),
                           number("cohesion", &House::cohesion, Dimension::stress, at_least(0), "cohesion"),

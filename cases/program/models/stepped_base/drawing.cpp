@@ -209,7 +209,6 @@ Polyline water_line(const SteppedBase<>& problem, const ColumnSlope<>& slope, co
 // The point at which the line of a cable enters its column. The joint on whose side the head is given may end below
 // that height, as it does at a toe column.
 Point entry_into(const Polyline& outline, const Point& head, const Point& direction) {
-    const auto cross = [](const Point& one, const Point& other) { return one.x() * other.y() - one.y() * other.x(); };
     const double clear_of_the_edge = 1e-6 * (outline[0] - outline[1]).norm();
     if (inside(outline, head + clear_of_the_edge * direction)) {
         return head;

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace delabole {
 
@@ -22,7 +21,7 @@ struct PlateModel {
     std::string plate;
     std::string test;
     static constexpr auto fields() {
-        return std::tuple{section<&PlateModel::plate>("plate of the thesis"),
+        return FieldTable{section<&PlateModel::plate>("plate of the thesis"),
                           section<&PlateModel::test>("name of the model in Table 3.2")};
     }
 };

@@ -172,7 +172,7 @@ struct ReportRow {
     std::string text;
     static constexpr auto fields() {
         using R = ReportRow;
-        return std::tuple{section("item", &R::item, "name of the item"),
+        return FieldTable{section("item", &R::item, "name of the item"),
                           section("part", &R::part, "what the row adds to it"),
                           section("runs", &R::runs, "group of runs"),
                           section("run", &R::run, "names of runs"),

@@ -23,7 +23,7 @@ struct PrintedSliding {
     std::string block_4;
     static constexpr auto fields() {
         constexpr Dimension ratio = Dimension::ratio;
-        return std::tuple{
+        return FieldTable{
             section<&PrintedSliding::table>("table of the thesis"),
             number("cycle", &PrintedSliding::cycle, ratio, at_least(1), "print edit"),
             number("last_cycle", &PrintedSliding::last_cycle, ratio, at_least(1), "last one of which the same is said"),

@@ -144,7 +144,7 @@ struct PrintedRun {
         using R = PrintedRun;
         constexpr Dimension ratio = Dimension::ratio;
         constexpr Interval angles = within(0, 90);
-        return std::tuple{
+        return FieldTable{
             section<&R::group>("which of the thesis's experiments"),
             section<&R::name>("name of the run"),
             number("blocks", &R::blocks, ratio, at_least(1), "number of equal blocks"),

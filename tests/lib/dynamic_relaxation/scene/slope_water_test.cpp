@@ -45,10 +45,6 @@ struct Resultant {
     double moment = 0;  // about the centroid
 };
 
-double cross(const PlanePoint<>& one, const PlanePoint<>& other) {
-    return one.x() * other.y() - one.y() * other.x();
-}
-
 std::vector<Resultant> resultants(const SlopeScene& made) {
     RelaxationScene scene;
     scene.block = made.block;
