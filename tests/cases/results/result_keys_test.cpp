@@ -193,6 +193,29 @@ TEST(ResultKeys, TiltedColumn) {
               keys_of(TiltedColumn<>{degrees(70), degrees(47.5), 0}));
 }
 
+TEST(ResultKeys, Wedge) {
+    const auto study = example<WedgeFailureStudy<>>();
+    WedgeFailureStudy<> lifted = study;
+    lifted.model.water = MeanPressures<>{1e6, 1e6, {}};
+    EXPECT_EQ(keys_of(study), keys_of(lifted));
+    EXPECT_EQ(word(study, "contact"), "both_planes");
+    EXPECT_EQ(word(lifted, "contact"), "none");
+}
+
+TEST(ResultKeys, Relaxation) {
+    auto study = example<RelaxationStudy>();
+    ReductionSearch search{};
+    search.paths = PathChoice::all;
+    study.critical = search;
+    RelaxationStudy stands_everywhere = study;
+    search.upper = 1.1;
+    stands_everywhere.critical = search;
+    EXPECT_EQ(keys_of(study), keys_of(stands_everywhere));
+    EXPECT_EQ(word(stands_everywhere, "critical.failing_blocks"), "none");
+    EXPECT_EQ(word(stands_everywhere, "factor_of_safety_spread"), "none");
+    EXPECT_NE(word(study, "factor_of_safety_spread"), "none");
+}
+
 // --- Lengths ---
 
 template <class Model>

@@ -69,6 +69,10 @@ Cell value_or_status(const PathValue& value) {
     return std::string(word_of(value.status));
 }
 
+Cell value_or_none(const std::optional<double>& value) {
+    return value ? Cell(*value) : Cell("none");
+}
+
 // How failure of the blocks was decided, with the path if there are several.
 std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) {
     const Dimension dimension = dimension_of(plan.parameter);
@@ -309,17 +313,18 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
     append("critical.fails", "nearest value found to fail", dimension, critical.fails, !found);
     append("critical.path", "loading path on which the value was found", Dimension::ratio,
            std::string(word_of(critical.path)), false);
-    if (critical.consolidated_at) {
-        append("critical.consolidated_at", "value at which the blocks came to rest first", dimension,
-               *critical.consolidated_at, true);
-    }
+    append("critical.consolidated_at", "value at which the blocks came to rest first", dimension,
+           value_or_none(critical.consolidated_at), true);
+    std::optional<FailingBlocks> failing;
     if (critical.failed) {
-        const FailingBlocks failing = failing_blocks(*critical.failed);
-        append("critical.failing_blocks",
-               "blocks that have begun to move at the nearest value found to fail, or that only corners hold",
-               Dimension::ratio, static_cast<double>(failing.block.size()), !found);
-        append("critical.failing_area", "their area", Dimension::area, failing.area, true);
+        failing = failing_blocks(*critical.failed);
     }
+    append("critical.failing_blocks",
+           "blocks that have begun to move at the nearest value found to fail, or that only corners hold",
+           Dimension::ratio, failing ? Cell(static_cast<double>(failing->block.size())) : Cell("none"), !found);
+    append("critical.failing_area", "their area", Dimension::area, failing ? Cell(failing->area) : Cell("none"), true);
+    append("critical.stands_again", "value at which the blocks stand although they fail at a smaller reduction",
+           dimension, value_or_none(critical.stands_again), true);
     if (found && critical.held_by_corners) {
         analysis.warnings.push_back("at " + in_six_digits(critical.fails, dimension) +
                                     " the blocks rest only because corners bear on corners, which is not taken for "
@@ -327,8 +332,6 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
     }
     if (critical.stands_again) {
         const std::string again = in_six_digits(*critical.stands_again, dimension);
-        append("critical.stands_again", "value at which the blocks stand although they fail at a milder one", dimension,
-               *critical.stands_again, true);
         analysis.warnings.push_back("the blocks stand again at " + again + ", although they fail at " +
                                     in_six_digits(critical.fails, dimension) +
                                     ": whether they jam on the way depends on details such as rounding; the answer is "
@@ -336,13 +339,15 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
     }
     append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs), true);
     append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps), true);
-    for (std::size_t index = 0; index < critical.other.size(); ++index) {
-        const PathValue& other = critical.other[index];
-        append(names[index + 1].name, names[index + 1].meaning, dimension, value_or_status(other), false);
+    for (std::size_t index = 0; index + 1 < plan.path.size(); ++index) {
+        append(names[index + 1].name, names[index + 1].meaning, dimension,
+               index < critical.other.size() ? value_or_status(critical.other[index]) : Cell("none"), false);
     }
-    if (critical.other.size() + 1 == plan.path.size() && plan.path.size() > 1 &&
-        critical.worst_status() == CriticalStatus::found) {
-        append(names.back().name, names.back().meaning, dimension, critical.spread(), false);
+    if (plan.path.size() > 1) {
+        const bool spreads =
+            critical.other.size() + 1 == plan.path.size() && critical.worst_status() == CriticalStatus::found;
+        append(names.back().name, names.back().meaning, dimension, spreads ? Cell(critical.spread()) : Cell("none"),
+               false);
     }
     if (other_path && !other_path->stands) {
         analysis.warnings.push_back("with all loads at once the blocks fail at " +

@@ -83,7 +83,9 @@ void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made,
                    value_in_words(section.typical_area, Dimension::area) + ": " +
                    std::to_string(section.slivers_merged) + " merged, " + std::to_string(section.slivers_crushed) +
                    " taken away as crushed (" + value_in_words(section.crushed_area, Dimension::area) +
-                   " together; merged, they would lock a joint), " + std::to_string(section.slivers_kept) +
+                   " together; merged, they would lock a joint; blocks may have leaned on them, and with "
+                   "scene.sliver_share = 0 all are kept), " +
+                   std::to_string(section.slivers_kept) +
                    " kept. Faces in intact rock: " + std::to_string(section.intact_edges) + ". Cuts nearer than " +
                    value_in_words(section.snap_distance, Dimension::length) + " to a corner run through it."}}};
     if (made.block.size() > most_drawn_blocks) {
