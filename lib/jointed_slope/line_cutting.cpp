@@ -74,15 +74,15 @@ void put_vertex(SectionMesh& mesh, const PlanePoint<>& point, double snap) {
         if (mesh.edge(edge).face == no_index) {
             continue;
         }
-        const PlanePoint<> way = (mesh.end(edge) - mesh.start(edge)).normalized();
+        const PlanePoint<> direction = (mesh.end(edge) - mesh.start(edge)).normalized();
         const PlanePoint<> from_start = point - mesh.start(edge);
-        const double passed = way.dot(from_start);
-        const double left = way.dot(mesh.end(edge) - point);
-        if (std::abs(left_of(way).dot(from_start)) < snap && passed > snap && left > snap) {
+        const double passed = direction.dot(from_start);
+        const double left = direction.dot(mesh.end(edge) - point);
+        if (std::abs(left_of(direction).dot(from_start)) < snap && passed > snap && left > snap) {
             // The point must lie on the original edge, from which a snapped cut may deviate slightly.
             const MeshSegment& segment = mesh.segment_of(edge);
-            mesh.split_edge(edge, point_between(segment, std::abs(way.dot(point - segment.first)),
-                                                std::abs(way.dot(segment.second - point))));
+            mesh.split_edge(edge, point_between(segment, std::abs(direction.dot(point - segment.first)),
+                                                std::abs(direction.dot(segment.second - point))));
             return;
         }
     }
@@ -164,11 +164,11 @@ CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint) {
 // The point at which two straight pieces cross, or at which one of them ends on the other.
 std::optional<PlanePoint<>> meeting_point(const MeshSegment& one, const MeshSegment& other, double snap) {
     for (const auto& [ends, along] : {std::pair(one, other), std::pair(other, one)}) {
-        const PlanePoint<> way = (along.second - along.first).normalized();
+        const PlanePoint<> direction = (along.second - along.first).normalized();
         for (const PlanePoint<>& end : {ends.first, ends.second}) {
-            const double place = way.dot(end - along.first);
-            if (std::abs(left_of(way).dot(end - along.first)) < snap && place > -snap &&
-                way.dot(along.second - end) > -snap) {
+            const double place = direction.dot(end - along.first);
+            if (std::abs(left_of(direction).dot(end - along.first)) < snap && place > -snap &&
+                direction.dot(along.second - end) > -snap) {
                 return end;
             }
         }
@@ -238,8 +238,8 @@ CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line,
         check = SlopeCheck::line_too_short;
         return count;
     }
-    const PlanePoint<> way = middle.back() - middle.front();
-    if (way.x() < 0 || (way.x() == 0 && way.y() < 0)) {
+    const PlanePoint<> direction = middle.back() - middle.front();
+    if (direction.x() < 0 || (direction.x() == 0 && direction.y() < 0)) {
         std::reverse(middle.begin(), middle.end());
     }
     work.line[named.name] = middle;

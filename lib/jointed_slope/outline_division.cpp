@@ -42,7 +42,7 @@ struct Ray {
 };
 
 // The point at which a ray from the start of an edge into its face meets the outline.
-std::optional<Ray> cast(const SectionMesh& mesh, MeshIndex from, const PlanePoint<>& way, double snap) {
+std::optional<Ray> cast(const SectionMesh& mesh, MeshIndex from, const PlanePoint<>& direction, double snap) {
     const PlanePoint<>& start = mesh.start(from);
     double nearest = std::numeric_limits<double>::infinity();
     Ray ray;
@@ -52,17 +52,17 @@ std::optional<Ray> cast(const SectionMesh& mesh, MeshIndex from, const PlanePoin
         }
         const PlanePoint<> a = mesh.start(edge) - start;
         const PlanePoint<> b = mesh.end(edge) - start;
-        const double of_a = cross(way, a);
-        const double of_b = cross(way, b);
+        const double of_a = cross(direction, a);
+        const double of_b = cross(direction, b);
         // The ray leaves the face where the anticlockwise outline crosses it from right to left.
         if (!(of_a <= 0 && of_b > 0)) {
             return;
         }
-        const double place = (a.dot(way) * of_b - b.dot(way) * of_a) / (of_b - of_a);
+        const double place = (a.dot(direction) * of_b - b.dot(direction) * of_a) / (of_b - of_a);
         if (place > 0 && place < nearest) {
             nearest = place;
             ray.edge = edge;
-            ray.at = start + place * way;
+            ray.at = start + place * direction;
         }
     });
     if (ray.edge == no_index) {
@@ -163,11 +163,11 @@ void divide_into_convex(SectionMesh& mesh, double snap) {
         const PlanePoint<> in = (mesh.start(corner) - mesh.start(mesh.edge(corner).previous)).normalized();
         const PlanePoint<> out = (mesh.end(corner) - mesh.start(corner)).normalized();
         // Any direction between the continuations of both edges leaves two convex corners.
-        const std::array<PlanePoint<>, 5> ways{PlanePoint<>(in - out), PlanePoint<>(2 * in - out),
-                                               PlanePoint<>(in - 2 * out), in, PlanePoint<>(-out)};
+        const std::array<PlanePoint<>, 5> directions{PlanePoint<>(in - out), PlanePoint<>(2 * in - out),
+                                                     PlanePoint<>(in - 2 * out), in, PlanePoint<>(-out)};
         std::optional<Ray> best;
-        for (const PlanePoint<>& way : ways) {
-            const std::optional<Ray> ray = cast(mesh, corner, way.normalized(), snap);
+        for (const PlanePoint<>& direction : directions) {
+            const std::optional<Ray> ray = cast(mesh, corner, direction.normalized(), snap);
             if (ray && (!best || ray->clearance > best->clearance)) {
                 best = ray;
             }

@@ -38,8 +38,8 @@ struct SweptInput {
         return FieldTable{
             refers_to(NameOf::input, section<&I::input>("the input that varies, e.g. strength.friction_angle")),
             refers_to(NameOf::input, section<&I::also>("further inputs that take the same value")),
-            number("from", &I::from, named, any_number(), "first value of the input"),
-            number("to", &I::to, named, any_number(), "last value of the input"),
+            number<&I::from>(named, "first value of the input"),
+            number<&I::to>(named, "last value of the input"),
             absent_is(standard_points, number<&I::points>(within(2, 10001), "number of its values")),
             number("values", &I::listed, named, any_number(), "its values, in place of from, to and points"),
             with_default(section<&I::axis>("title of its axis, with the unit")),

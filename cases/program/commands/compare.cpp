@@ -36,11 +36,8 @@ struct Compared {
 };
 
 std::string shown(const std::optional<Cell>& value, Dimension dimension) {
-    if (!value) {
-        return "-";
-    }
-    const auto* number = std::get_if<double>(&*value);
-    return number == nullptr ? std::get<std::string>(*value) : in_table_digits(*number, dimension);
+    const auto* number = value ? std::get_if<double>(&*value) : nullptr;
+    return number != nullptr ? in_table_digits(*number, dimension) : value ? std::get<std::string>(*value) : "-";
 }
 
 std::string change_of(const Compared& one) {

@@ -109,9 +109,10 @@ void add_parts(CLI::App& command, Options& options, unsigned parts) {
         command
             .add_option(
                 "--runs", options.runs,
-                "Folder with tables of runs of costly models, <mechanism>_predictions.csv, which are not made again, "
-                "whatever program made them; a table of all runs that the study used is left in the result "
-                "folder")
+                "Folder with tables of earlier runs of costly models, <mechanism>_predictions.csv. The runs that they "
+                "list are "
+                "not made again, even if another version made them; a table of all runs that the study used is left in "
+                "the result folder")
             ->type_name("DIR");
     }
 }

@@ -394,7 +394,7 @@ StudyDocuments document_fit(const CaseFile& file, const FitProblem& problem, con
     report.blocks.emplace_back(Paragraph{
         "Score: the squared residuals of data and priors, and 4 for each datum or piece of field evidence that "
         "the mechanism says nothing about. A mechanism whose geometry is put in matches the observed "
-        "surfaces by construction; one that predicts them has to earn it."});
+        "surfaces by construction; one that predicts them can miss them."});
     if (const auto profiles = profiles_figure(problem, result, toe_elevation_of(file.model))) {
         report.blocks.emplace_back(folder.draw(*profiles, "profiles",
                                                "Where the geometry is put in, the profile is no prediction: only a "

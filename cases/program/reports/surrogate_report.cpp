@@ -35,7 +35,7 @@ std::string surrogate_in_words(const MechanismFit& fit) {
         number_in_words(surrogate.scatter) + (surrogate.jump ? "." : ", which no parameter decides.");
     if (surrogate.coarse_runs > 0) {
         text += " Of " + std::to_string(surrogate.coarse_runs) + " coarse runs made beforehand " +
-                std::to_string(hopeless) + " were so far from the data that they stand for runs.";
+                std::to_string(hopeless) + " were so far from the data that no full run was made in their place.";
     }
     if (surrogate.given_up) {
         text +=

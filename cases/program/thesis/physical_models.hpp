@@ -64,28 +64,27 @@ struct BaseFrictionState {
         using D = Dimension;
         return FieldTable{
             section<&S::test>("number of the model, side of the table"),
-            number("slope_angle", &S::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
-            number("height_over_spacing", &S::height_over_spacing, D::ratio, more_than(0),
-                   "height of the slope over the spacing of the joints"),
-            number("joint_dip", &S::joint_dip, D::angle, detail::slope_angles, "dip of the joints, into the slope"),
-            number("joint_spacing", &S::joint_spacing, D::length, more_than(0), "normal distance of the joints"),
-            number("cross_joint_spacing", &S::cross_joint_spacing, D::length, more_than(0),
-                   "normal distance of the cross joints; absent: continuous columns"),
-            number("crack_time_from", &S::crack_time_from, D::time, at_least(0),
-                   "time from the last change to the critical crack path, its least; absent: none given"),
-            number("crack_time_to", &S::crack_time_to, D::time, at_least(0), "its greatest"),
-            number("crack_angle_from", &S::crack_angle_from, D::angle, detail::slope_angles,
-                   "inclination of the critical crack path, its least; absent: none given"),
-            number("crack_angle_to", &S::crack_angle_to, D::angle, detail::slope_angles, "its greatest"),
+            number<&S::slope_angle>(D::angle, detail::slope_angles, "inclination of the face"),
+            number<&S::height_over_spacing>(more_than(0), "height of the slope over the spacing of the joints"),
+            number<&S::joint_dip>(D::angle, detail::slope_angles, "dip of the joints, into the slope"),
+            number<&S::joint_spacing>(D::length, more_than(0), "normal distance of the joints"),
+            number<&S::cross_joint_spacing>(D::length, more_than(0),
+                                            "normal distance of the cross joints; absent: continuous columns"),
+            number<&S::crack_time_from>(
+                D::time, at_least(0),
+                "time from the last change to the critical crack path, its least; absent: none given"),
+            number<&S::crack_time_to>(D::time, at_least(0), "its greatest"),
+            number<&S::crack_angle_from>(D::angle, detail::slope_angles,
+                                         "inclination of the critical crack path, its least; absent: none given"),
+            number<&S::crack_angle_to>(D::angle, detail::slope_angles, "its greatest"),
             section<&S::behaviour>("stable, in limiting equilibrium, unstable"),
             section<&S::foundation>("what the slope stands on"),
             section<&S::toe>("change made at the toe"),
             section<&S::columns>("kind of columns"),
             section<&S::surroundings>("how near the steel frame is"),
-            number("slope_surface", &S::slope_surface, D::length, more_than(0),
-                   "length of the ground behind the crest; absent: not printed"),
-            number("base_columns", &S::base_columns, D::ratio, at_least(1),
-                   "columns that form the bottom of the slope; absent: not printed"),
+            number<&S::slope_surface>(D::length, more_than(0),
+                                      "length of the ground behind the crest; absent: not printed"),
+            number<&S::base_columns>(at_least(1), "columns that form the bottom of the slope; absent: not printed"),
             section<&S::remark>("printed remark"),
             section<&S::doubt>(detail::doubt_meaning)};
     }
@@ -107,17 +106,15 @@ struct SlopeHeightVariation {
         using V = SlopeHeightVariation;
         using D = Dimension;
         return FieldTable{
-            number("model", &V::model, D::ratio, at_least(1), "number of the model"),
-            number("slope_angle", &V::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
-            number("joint_dip", &V::joint_dip, D::angle, detail::slope_angles, "dip of the joints, into the slope"),
-            number("slope_height", &V::slope_height, D::length, more_than(0), "height of the slope"),
-            number("right_crack_time", &V::right_crack_time, D::time, at_least(0),
-                   "time to the critical crack path, right slope"),
-            number("left_crack_time", &V::left_crack_time, D::time, at_least(0), "left slope; absent: not built"),
-            number("right_crack_angle", &V::right_crack_angle, D::angle, detail::slope_angles,
-                   "inclination of the critical crack path, right slope"),
-            number("left_crack_angle", &V::left_crack_angle, D::angle, detail::slope_angles,
-                   "left slope; absent: not built"),
+            number<&V::model>(at_least(1), "number of the model"),
+            number<&V::slope_angle>(D::angle, detail::slope_angles, "inclination of the face"),
+            number<&V::joint_dip>(D::angle, detail::slope_angles, "dip of the joints, into the slope"),
+            number<&V::slope_height>(D::length, more_than(0), "height of the slope"),
+            number<&V::right_crack_time>(D::time, at_least(0), "time to the critical crack path, right slope"),
+            number<&V::left_crack_time>(D::time, at_least(0), "left slope; absent: not built"),
+            number<&V::right_crack_angle>(D::angle, detail::slope_angles,
+                                          "inclination of the critical crack path, right slope"),
+            number<&V::left_crack_angle>(D::angle, detail::slope_angles, "left slope; absent: not built"),
             section<&V::remark>("printed remark"),
             section<&V::doubt>(detail::doubt_meaning)};
     }
@@ -169,19 +166,18 @@ struct MechanismVerdict {
             section<&V::profile>("post-failure profile reproduced"),
             section<&V::cracks>("tension cracks at the crest reproduced"),
             section<&V::movements>("monitored movements of blocks at the top reproduced"),
-            number("slope_angle", &V::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
-            number("joint_a_dip", &V::joint_a_dip, D::angle, detail::slope_angles, "dip of joint set A, into the pit"),
-            number("joint_a_spacing", &V::joint_a_spacing, D::length, more_than(0), "spacing of joint set A"),
-            number("joint_b_dip", &V::joint_b_dip, D::angle, detail::slope_angles,
-                   "dip of joint set B, into the slope; absent: no such joints"),
-            number("joint_c_dip", &V::joint_c_dip, D::angle, detail::slope_angles,
-                   "dip of joint set C, into the pit; absent: no such joints"),
-            number("cleavage_dip", &V::cleavage_dip, D::angle, detail::slope_angles,
-                   "dip of the cleavage, into the slope; absent: none cut"),
-            number("cleavage_spacing", &V::cleavage_spacing, D::length, more_than(0), "spacing of the cleavage"),
-            number("fault_dip", &V::fault_dip, D::angle, detail::slope_angles,
-                   "dip of the fault, into the slope; absent: none"),
-            number("fault_thickness", &V::fault_thickness, D::length, more_than(0), "thickness of its gouge"),
+            number<&V::slope_angle>(D::angle, detail::slope_angles, "inclination of the face"),
+            number<&V::joint_a_dip>(D::angle, detail::slope_angles, "dip of joint set A, into the pit"),
+            number<&V::joint_a_spacing>(D::length, more_than(0), "spacing of joint set A"),
+            number<&V::joint_b_dip>(D::angle, detail::slope_angles,
+                                    "dip of joint set B, into the slope; absent: no such joints"),
+            number<&V::joint_c_dip>(D::angle, detail::slope_angles,
+                                    "dip of joint set C, into the pit; absent: no such joints"),
+            number<&V::cleavage_dip>(D::angle, detail::slope_angles,
+                                     "dip of the cleavage, into the slope; absent: none cut"),
+            number<&V::cleavage_spacing>(D::length, more_than(0), "spacing of the cleavage"),
+            number<&V::fault_dip>(D::angle, detail::slope_angles, "dip of the fault, into the slope; absent: none"),
+            number<&V::fault_thickness>(D::length, more_than(0), "thickness of its gouge"),
             section<&V::remark>("what happened"),
             section<&V::doubt>(detail::doubt_meaning)};
     }
@@ -220,15 +216,14 @@ struct GroundwaterTest {
         using T = GroundwaterTest;
         using D = Dimension;
         constexpr Interval frictions = between(0, degrees(90));
-        return FieldTable{
-            section<&T::material>("mixture or cork"),
-            number("density", &T::density, D::density, more_than(0), "density of the material"),
-            number("friction_least", &T::friction_least, D::angle, frictions, "friction, its least"),
-            number("friction_most", &T::friction_most, D::angle, frictions, "friction, its greatest"),
-            number("filled_ratio", &T::filled_ratio, D::ratio, within(0, 1), "depth of water over its greatest"),
-            number("rotation", &T::rotation, D::angle, right_open(0, degrees(90)), "of the model on the belt"),
-            section<&T::plate>("plate that shows it"),
-            section<&T::remark>("what happened")};
+        return FieldTable{section<&T::material>("mixture or cork"),
+                          number<&T::density>(D::density, more_than(0), "density of the material"),
+                          number<&T::friction_least>(D::angle, frictions, "friction, its least"),
+                          number<&T::friction_most>(D::angle, frictions, "friction, its greatest"),
+                          number<&T::filled_ratio>(within(0, 1), "depth of water over its greatest"),
+                          number<&T::rotation>(D::angle, right_open(0, degrees(90)), "of the model on the belt"),
+                          section<&T::plate>("plate that shows it"),
+                          section<&T::remark>("what happened")};
     }
 };
 

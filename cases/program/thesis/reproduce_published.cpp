@@ -30,15 +30,14 @@ struct PublishedFactors {
     std::string remark;
     static constexpr auto fields() {
         using P = PublishedFactors;
-        constexpr Dimension ratio = Dimension::ratio;
         return FieldTable{section<&P::problem>("number in the manual"),
                           section("case", &P::name, "name of the case file"),
-                          number("closed_form", &P::closed_form, ratio, more_than(0), "limit equilibrium or bound"),
-                          number("udec", &P::udec, ratio, more_than(0), "distinct elements"),
-                          number("rs2", &P::rs2, ratio, more_than(0), "finite elements"),
-                          number("rs2_improved", &P::rs2_improved, ratio, more_than(0), "with joint improvement"),
-                          number("xslope", &P::xslope, ratio, more_than(0), "finite elements"),
-                          number("other", &P::other, ratio, more_than(0), "as the remark says"),
+                          number<&P::closed_form>(more_than(0), "limit equilibrium or bound"),
+                          number<&P::udec>(more_than(0), "distinct elements"),
+                          number<&P::rs2>(more_than(0), "finite elements"),
+                          number<&P::rs2_improved>(more_than(0), "with joint improvement"),
+                          number<&P::xslope>(more_than(0), "finite elements"),
+                          number<&P::other>(more_than(0), "as the remark says"),
                           section<&P::remark>("on the values")};
     }
 };
@@ -135,19 +134,36 @@ std::string reasons(const CaseFile& file) {
     return text;
 }
 
+// Friction and strength of the joints, in the order in which the case has them.
+std::string joints_in_words(const RelaxationStudy& study) {
+    std::string text;
+    for_each_named_number(study.model, [&](const std::string&, const FieldInfo& info, double value) {
+        const bool next = info.key == "friction_angle";
+        if (next || info.key == "cohesion" || info.key == "tensile_strength") {
+            text += (text.empty() ? ""
+                     : next       ? "; "
+                                  : ", ") +
+                    human_name(info.key) + ' ' + value_in_words(value, info.dimension);
+        }
+    });
+    return text;
+}
+
 Table factor_table(const std::vector<Problem>& problems) {
     Table table{
         "Factors of safety by strength reduction and as published; of RJ-16 critical tilts in degrees. Statics: up "
         "to this factor forces over faces exist that strength allows and that hold the blocks.",
-        {"problem", "factor"_number, "bracket"_number, "path", "statics"_number, "blocks"_number, "seconds"_number}};
+        {"problem", "joints", "factor"_number, "bracket"_number, "path", "statics"_number, "blocks"_number,
+         "seconds"_number}};
     for (const Code& code : codes()) {
         table.columns.emplace_back(code.name, true);
     }
     table.columns.emplace_back("verdict");
     table.columns.emplace_back("remark");
     for (const Problem& problem : problems) {
-        table.rows.push_back({problem.file.title, found_in_words(problem, problem.answer),
-                              bracket_in_words(problem, problem.answer), human_name(word_of(problem.answer.path)),
+        table.rows.push_back({problem.file.title, joints_in_words(problem.study()),
+                              found_in_words(problem, problem.answer), bracket_in_words(problem, problem.answer),
+                              human_name(word_of(problem.answer.path)),
                               problem.bound ? human_number(*problem.bound, 4) : "", std::to_string(problem.blocks),
                               human_number(problem.seconds, 2)});
         std::vector<std::string>& row = table.rows.back();
@@ -192,13 +208,14 @@ Figure factor_figure(const std::vector<Problem>& problems) {
     return figure;
 }
 
-void append_mechanism(const ResultFolder& folder, Report& report, const Problem& problem, const PathValue& answer,
-                      const std::string& name) {
+void append_mechanism(const ResultFolder& folder, Report& report, const Problem& problem, const PathValue& answer) {
     if (answer.failed && answer.failed->end) {
+        const std::string path(word_of(answer.path));
         report.blocks.emplace_back(folder.draw(
-            mechanism_figure(*answer.failed, problem.published.problem + ", failing at " +
+            mechanism_figure(*answer.failed, problem.published.problem + ", path " + path + ", failing at " +
                                                  in_digits(answer.fails, problem.dimension(), 4)),
-            name, problem.file.title + ", path " + human_name(word_of(answer.path)) + ". " + problem.file.description));
+            problem.published.name + (problem.answer.other.empty() ? "" : '_' + path),
+            problem.file.title + ", path " + path + ". " + problem.file.description));
     }
 }
 
@@ -242,7 +259,10 @@ Reproduction reproduce_factors(const ResultFolder& folder, Report& report) {
         folder.draw(factor_figure(problems), "published_factors", "Values of other codes over those computed here."));
     Reproduction result;
     for (const Problem& problem : problems) {
-        append_mechanism(folder, report, problem, problem.answer, problem.published.name);
+        append_mechanism(folder, report, problem, problem.answer);
+        for (const PathValue& other : problem.answer.other) {
+            append_mechanism(folder, report, problem, other);
+        }
         result.rows.push_back(printed_row(problem));
         result.json["problems"].push_back(json_of(problem));
     }

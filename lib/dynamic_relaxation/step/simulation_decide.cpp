@@ -159,7 +159,8 @@ bool Simulation::held_by_corners() {
 }
 
 // Whether blocks move on when every corner that bears on a corner gives way, and those that bear next, too; records
-// the blocks that do. A trial that comes to no end within its limits tells nothing unless blocks are well on their way.
+// the blocks that do. A trial that comes to no end within its limits is inconclusive unless a block has moved a tenth
+// of the thresholds of onset.
 bool Simulation::moves_without_corners() {
     constexpr int most_rounds = 8;
     constexpr std::uint64_t most_contacts = 50'000'000;  // evaluated in a round: a second or two

@@ -332,10 +332,11 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
     }
     if (critical.stands_again) {
         const std::string again = in_six_digits(*critical.stands_again, dimension);
-        analysis.warnings.push_back("the blocks stand again at " + again + ", although they fail at " +
-                                    in_six_digits(critical.fails, dimension) +
-                                    ": whether they jam on the way depends on details such as rounding; the answer is "
-                                    "the mildest value at which they were found to fail");
+        analysis.warnings.push_back(
+            "the blocks stand again at " + again + ", although they fail at " +
+            in_six_digits(critical.fails, dimension) +
+            ": whether blocks jam while they move depends on details such as rounding; the answer is "
+            "the mildest value at which they were found to fail");
     }
     append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs), true);
     append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps), true);

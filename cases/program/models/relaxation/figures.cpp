@@ -143,8 +143,8 @@ bool add_velocities(BlockDrawing& drawing, const RelaxationRun& made, const Bodi
         if (speed(motion) > longest / 1000) {
             const PlanePoint<> centre = bodies.centroid[block] + PlanePoint<>(motion.x, motion.y);
             const double scale = size / std::max(longest, speed(motion));
-            const PlanePoint<> way(scale * motion.vx, scale * motion.vy);
-            arrows.shafts.push_back({upright(centre), upright(PlanePoint<>(centre + way))});
+            const PlanePoint<> movement(scale * motion.vx, scale * motion.vy);
+            arrows.shafts.push_back({upright(centre), upright(PlanePoint<>(centre + movement))});
         }
     }
     return true;

@@ -59,9 +59,10 @@ std::string run_in_words(const RelaxationRun& made) {
         return text;
     }
     case RelaxationOutcome::energy_not_balanced:
-        return "the energy balance lacks " + number_in_words(100 * made.result.energy_balance.residual_share()) +
-               " % of what was turned over, more than the " + number_in_words(100 * most_energy_lacking) +
-               " % at which a run can be believed: lower settings.step_fraction";
+        return "the energy balance has a residual of " +
+               number_in_words(100 * made.result.energy_balance.residual_share()) +
+               " % of the energy converted, more than the " + number_in_words(100 * most_energy_lacking) +
+               " % that are accepted: lower settings.step_fraction";
     case RelaxationOutcome::motion_not_finite:
         return "stopped because the motion diverged (non-finite): lower settings.step_fraction";
     default:

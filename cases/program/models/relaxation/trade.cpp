@@ -248,7 +248,7 @@ std::vector<std::string> trade_remarks(const RelaxationStudy& study) {
         remarks.emplace_back("joints of the case give their own stiffness: the stiffness ratio is not varied");
     }
     if (numerics_of(study).time_step) {
-        remarks.emplace_back("settings.time_step gives way to the step fraction");
+        remarks.emplace_back("settings.time_step is ignored: the step fraction is varied instead");
     }
     return remarks;
 }

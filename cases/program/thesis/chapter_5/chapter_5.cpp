@@ -172,15 +172,15 @@ struct ReportRow {
     std::string text;
     static constexpr auto fields() {
         using R = ReportRow;
-        return FieldTable{section("item", &R::item, "name of the item"),
-                          section("part", &R::part, "what the row adds to it"),
-                          section("runs", &R::runs, "group of runs"),
-                          section("run", &R::run, "names of runs"),
-                          section("with", &R::with, "base, gravity or clean"),
-                          section("cycles", &R::cycles, "cycles that are drawn"),
-                          section("name", &R::name, "of a figure, a column or a computation"),
-                          section("title", &R::title, "of a figure or a table"),
-                          section("text", &R::text, "in words")};
+        return FieldTable{section<&R::item>("name of the item"),
+                          section<&R::part>("what the row adds to it"),
+                          section<&R::runs>("group of runs"),
+                          section<&R::run>("names of runs"),
+                          section<&R::with>("base, gravity or clean"),
+                          section<&R::cycles>("cycles that are drawn"),
+                          section<&R::name>("of a figure, a column or a computation"),
+                          section<&R::title>("of a figure or a table"),
+                          section<&R::text>("in words")};
     }
 };
 

@@ -22,15 +22,13 @@ struct PrintedSliding {
     std::string block_3;
     std::string block_4;
     static constexpr auto fields() {
-        constexpr Dimension ratio = Dimension::ratio;
-        return FieldTable{
-            section<&PrintedSliding::table>("table of the thesis"),
-            number("cycle", &PrintedSliding::cycle, ratio, at_least(1), "print edit"),
-            number("last_cycle", &PrintedSliding::last_cycle, ratio, at_least(1), "last one of which the same is said"),
-            section<&PrintedSliding::block_1>("F, B, - or ?"),
-            section<&PrintedSliding::block_2>("F, B, - or ?"),
-            section<&PrintedSliding::block_3>("F, B, - or ?"),
-            section<&PrintedSliding::block_4>("F, B, - or ?")};
+        return FieldTable{section<&PrintedSliding::table>("table of the thesis"),
+                          number<&PrintedSliding::cycle>(at_least(1), "print edit"),
+                          number<&PrintedSliding::last_cycle>(at_least(1), "last one of which the same is said"),
+                          section<&PrintedSliding::block_1>("F, B, - or ?"),
+                          section<&PrintedSliding::block_2>("F, B, - or ?"),
+                          section<&PrintedSliding::block_3>("F, B, - or ?"),
+                          section<&PrintedSliding::block_4>("F, B, - or ?")};
     }
 };
 

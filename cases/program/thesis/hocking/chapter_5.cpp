@@ -142,33 +142,30 @@ struct PrintedRun {
     std::string totals;
     static constexpr auto fields() {
         using R = PrintedRun;
-        constexpr Dimension ratio = Dimension::ratio;
         constexpr Interval angles = within(0, 90);
-        return FieldTable{
-            section<&R::group>("which of the thesis's experiments"),
-            section<&R::name>("name of the run"),
-            number("blocks", &R::blocks, ratio, at_least(1), "number of equal blocks"),
-            number("slenderness", &R::slenderness, ratio, more_than(0), "height over width"),
-            section<&R::heights>("heights of unequal columns, in"),
-            number("inclination_degrees", &R::inclination_degrees, ratio, angles, "inclination of the base, deg"),
-            number("joints_degrees", &R::joints_degrees, ratio, angles, "friction between blocks, deg"),
-            number("bases_degrees", &R::bases_degrees, ratio, angles, "friction of bases, deg"),
-            number("stiffness", &R::stiffness, ratio, more_than(0), "stiffness of a contact, N/m"),
-            number<&R::time_step>(Dimension::time, more_than(0), "time step"),
-            number("damping", &R::damping, ratio, at_least(0), "share of critical damping"),
-            number("cycles", &R::cycles, ratio, at_least(1), "cycles to run"),
-            number("tilted_to_degrees", &R::tilted_to_degrees, ratio, angles, "inclination at the end, deg"),
-            number("tilt_begins", &R::tilt_begins, ratio, at_least(0), "cycle at which tilting begins"),
-            number("tilt_every", &R::tilt_every, ratio, at_least(1), "cycles between increments of 0.001 deg"),
-            number("first_print", &R::first_print, ratio, at_least(1), "print edit from which sliding is counted"),
-            number("stop_rotation_degrees", &R::stop_rotation_degrees, ratio, more_than(0),
-                   "rotation that ends it, deg"),
-            section<&R::outcome>("printed outcome"),
-            number("settled_x", &R::settled_x, ratio, at_least(0), "printed cycle at which x came to rest"),
-            number("settled_y", &R::settled_y, ratio, at_least(0), "printed cycle at which y came to rest"),
-            number("printed_cycle", &R::printed_cycle, ratio, at_least(0), "printed cycle of the group"),
-            section<&R::behaviour>("printed of each block"),
-            section<&R::totals>("printed totals of sliding of each block")};
+        return FieldTable{section<&R::group>("which of the thesis's experiments"),
+                          section<&R::name>("name of the run"),
+                          number<&R::blocks>(at_least(1), "number of equal blocks"),
+                          number<&R::slenderness>(more_than(0), "height over width"),
+                          section<&R::heights>("heights of unequal columns, in"),
+                          number<&R::inclination_degrees>(angles, "inclination of the base, deg"),
+                          number<&R::joints_degrees>(angles, "friction between blocks, deg"),
+                          number<&R::bases_degrees>(angles, "friction of bases, deg"),
+                          number<&R::stiffness>(more_than(0), "stiffness of a contact, N/m"),
+                          number<&R::time_step>(Dimension::time, more_than(0), "time step"),
+                          number<&R::damping>(at_least(0), "share of critical damping"),
+                          number<&R::cycles>(at_least(1), "cycles to run"),
+                          number<&R::tilted_to_degrees>(angles, "inclination at the end, deg"),
+                          number<&R::tilt_begins>(at_least(0), "cycle at which tilting begins"),
+                          number<&R::tilt_every>(at_least(1), "cycles between increments of 0.001 deg"),
+                          number<&R::first_print>(at_least(1), "print edit from which sliding is counted"),
+                          number<&R::stop_rotation_degrees>(more_than(0), "rotation that ends it, deg"),
+                          section<&R::outcome>("printed outcome"),
+                          number<&R::settled_x>(at_least(0), "printed cycle at which x came to rest"),
+                          number<&R::settled_y>(at_least(0), "printed cycle at which y came to rest"),
+                          number<&R::printed_cycle>(at_least(0), "printed cycle of the group"),
+                          section<&R::behaviour>("printed of each block"),
+                          section<&R::totals>("printed totals of sliding of each block")};
     }
 };
 
