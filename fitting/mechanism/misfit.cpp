@@ -19,6 +19,14 @@ bool same(const std::vector<Condition>& left, const std::vector<Condition>& righ
                       [](const Condition& a, const Condition& b) { return a.input == b.input && a.value == b.value; });
 }
 
+double scatter_of(const std::vector<std::size_t>& outputs, const Prediction& prediction) {
+    double scatter = 0;
+    for (const std::size_t output : outputs) {
+        scatter = std::hypot(scatter, prediction.outputs[output]);
+    }
+    return scatter;
+}
+
 }  // namespace
 
 double cost_of_scatter(double scatter, double standard_deviation, double share) {
@@ -49,7 +57,9 @@ Misfit::Misfit(const Mechanism& mechanism, const FitProblem& problem)
     bind_observations();
     if (problem_.profile) {
         profile_samples_ = resample(problem_.profile->profile, profile_samples);
-        profile_scatter_ = output(deviation_of_profile);
+        if (const auto deviation = output(deviation_of_profile)) {
+            profile_scatter_ = {*deviation};
+        }
         find_out_about_profile();
     }
 }
@@ -65,8 +75,12 @@ void Misfit::bind_observations() {
         } else if (lacking != observation.conditions.end()) {
             unbound_.push_back({index, "has no input " + lacking->input + ", which the observation fixes"});
         } else {
-            bound_.push_back({index, *bound_output, output(std::string(deviation_prefix) + observation.quantity),
-                              observation.quantity + " is not a number"});
+            bound_.push_back({index, *bound_output, {}, observation.quantity + " is not a number"});
+            for (const std::string_view prefix : {deviation_prefix, path_deviation_prefix}) {
+                if (const auto deviation = output(std::string(prefix) + observation.quantity)) {
+                    bound_.back().scatter.push_back(*deviation);
+                }
+            }
             sets_[condition_set(observation.conditions)].observations.push_back(bound_.size() - 1);
         }
     }
@@ -166,15 +180,11 @@ std::string_view Misfit::visit_quantities(const ConditionSet& set, const Predict
             return bound.not_a_number;
         }
         visit(residual, satisfied(observation.relation, residual), scatter);
-        if (bound.scatter && observation.relation == Relation::equal) {
+        if (!bound.scatter.empty() && observation.relation == Relation::equal) {
             visit(cost_of_scatter(scatter, observation.standard_deviation, 1), false, scatter);
         }
     }
     return {};
-}
-
-double Misfit::scatter_of(const std::optional<std::size_t>& output, const Prediction& prediction) const {
-    return output ? prediction.outputs[*output] : 0;
 }
 
 template <class Visitor>
@@ -192,7 +202,7 @@ std::string_view Misfit::visit_profile(const Prediction& prediction, const Visit
         }
         visit(residual, false, scatter);
     }
-    if (profile_scatter_) {
+    if (!profile_scatter_.empty()) {
         visit(cost_of_scatter(scatter, observed.standard_deviation, vertices), false, scatter);
     }
     return {};
@@ -271,7 +281,7 @@ std::vector<Datum> Misfit::data() const {
         for (const std::size_t index : set.observations) {
             const QuantityObservation& observation = observations_[bound_[index].observation];
             data.push_back({observation.label, observation.relation, observation.standard_deviation, 1, false});
-            if (bound_[index].scatter && observation.relation == Relation::equal) {
+            if (!bound_[index].scatter.empty() && observation.relation == Relation::equal) {
                 data.push_back(
                     {observation.label + ", scatter", Relation::equal, observation.standard_deviation, 1, true});
             }
@@ -282,7 +292,7 @@ std::vector<Datum> Misfit::data() const {
             data.insert(data.end(), profile_samples_.size(),
                         {"post-failure profile", Relation::equal, deviation,
                          vertices / static_cast<double>(profile_samples_.size()), false});
-            if (profile_scatter_) {
+            if (!profile_scatter_.empty()) {
                 data.push_back({"post-failure profile, scatter", Relation::equal, deviation, vertices, true});
             }
         }

@@ -33,7 +33,7 @@ struct MisfitParts {
 struct Residuals {
     std::vector<double> values;
     std::vector<bool> idle;       // true for a satisfied inequality, which adds nothing to the misfit
-    std::vector<double> scatter;  // standard deviation due to chance, added to that of the datum
+    std::vector<double> scatter;  // standard deviation between slopes or loading paths, added to that of the datum
     std::string_view failure;
 };
 
@@ -113,8 +113,8 @@ class Misfit {
     struct BoundObservation {
         std::size_t observation;  // index into observations_
         std::size_t output;
-        std::optional<std::size_t> scatter;  // the output that gives the scatter as a standard deviation
-        std::string not_a_number;            // text of the failure if the output has no value
+        std::vector<std::size_t> scatter;  // the outputs that give scatter as standard deviations
+        std::string not_a_number;          // text of the failure if the output has no value
     };
     struct Unbound {
         std::size_t observation;
@@ -134,7 +134,6 @@ class Misfit {
                                       const Visitor& visit) const;
     template <class Visitor>
     std::string_view visit_profile(const Prediction& prediction, const Visitor& visit) const;
-    double scatter_of(const std::optional<std::size_t>& output, const Prediction& prediction) const;
 
     const Mechanism& mechanism_;
     const FitProblem& problem_;
@@ -144,7 +143,7 @@ class Misfit {
     std::vector<BoundObservation> bound_;
     std::vector<Unbound> unbound_;
     Polyline profile_samples_;
-    std::optional<std::size_t> profile_scatter_;
+    std::vector<std::size_t> profile_scatter_;
     bool compares_profile_ = false;
 };
 

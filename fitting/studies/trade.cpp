@@ -84,21 +84,21 @@ void mark_front(std::vector<TradeRow>& rows) {
 
 }  // namespace
 
-TradeSetting own_setting(const std::vector<TradeKnob>& knobs) {
+TradeSetting own_setting(const std::vector<TradeParameter>& parameters) {
     TradeSetting own{std::string(own_group), {}};
-    for (const TradeKnob& knob : knobs) {
-        own.values.push_back(knob.own);
+    for (const TradeParameter& parameter : parameters) {
+        own.values.push_back(parameter.own);
     }
     return own;
 }
 
-std::size_t add_setting(std::vector<TradeSetting>& settings, const std::vector<TradeKnob>& knobs,
+std::size_t add_setting(std::vector<TradeSetting>& settings, const std::vector<TradeParameter>& parameters,
                         const std::string& group, const std::vector<std::pair<std::string_view, double>>& changed) {
-    TradeSetting setting = own_setting(knobs);
+    TradeSetting setting = own_setting(parameters);
     setting.group = group;
     for (const auto& change : changed) {
-        for (std::size_t index = 0; index < knobs.size(); ++index) {
-            if (knobs[index].name == change.first) {
+        for (std::size_t index = 0; index < parameters.size(); ++index) {
+            if (parameters[index].name == change.first) {
                 setting.values[index] = change.second;
             }
         }
@@ -112,10 +112,10 @@ std::size_t add_setting(std::vector<TradeSetting>& settings, const std::vector<T
     return index;
 }
 
-void add_levels(std::vector<TradeSetting>& settings, const std::vector<TradeKnob>& knobs) {
-    for (const TradeKnob& knob : knobs) {
-        for (const double level : knob.levels) {
-            add_setting(settings, knobs, knob.name, {{knob.name, level}});
+void add_levels(std::vector<TradeSetting>& settings, const std::vector<TradeParameter>& parameters) {
+    for (const TradeParameter& parameter : parameters) {
+        for (const double level : parameter.levels) {
+            add_setting(settings, parameters, parameter.name, {{parameter.name, level}});
         }
     }
 }
@@ -198,17 +198,18 @@ std::vector<std::size_t> best_of_each_decade(const TradeResult& result) {
     return rows;
 }
 
-std::string level_in_words(const TradeKnob& knob, double level) {
+std::string level_in_words(const TradeParameter& parameter, double level) {
     const auto index = static_cast<std::size_t>(level);
-    return index < knob.words.size() ? knob.words[index] : in_few_characters(level);
+    return index < parameter.words.size() ? parameter.words[index] : in_few_characters(level);
 }
 
-std::string change_in_words(const std::vector<TradeKnob>& knobs, const TradeSetting& setting) {
+std::string change_in_words(const std::vector<TradeParameter>& parameters, const TradeSetting& setting) {
     std::string text;
-    for (std::size_t index = 0; index < knobs.size(); ++index) {
-        const TradeKnob& knob = knobs[index];
-        if (setting.values[index] != knob.own) {
-            text += (text.empty() ? "" : ", ") + knob.name + ' ' + level_in_words(knob, setting.values[index]);
+    for (std::size_t index = 0; index < parameters.size(); ++index) {
+        const TradeParameter& parameter = parameters[index];
+        if (setting.values[index] != parameter.own) {
+            text +=
+                (text.empty() ? "" : ", ") + parameter.name + ' ' + level_in_words(parameter, setting.values[index]);
         }
     }
     return text;

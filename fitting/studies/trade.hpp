@@ -17,7 +17,7 @@
 
 namespace delabole {
 
-struct TradeKnob {
+struct TradeParameter {
     std::string name;                     // "step_fraction"
     std::vector<double> levels;           // values that are tried
     double own = 0;                       // value in the case
@@ -26,21 +26,21 @@ struct TradeKnob {
 
 struct TradeSetting {
     std::string group;           // "own", the name of the only setting that differs, or a name given by the caller
-    std::vector<double> values;  // of the settings in TradeProblem::knobs, in that order
+    std::vector<double> values;  // of the settings in TradeProblem::parameters, in that order
 };
 
 inline constexpr std::string_view own_group = "own";
 
 // The case's own setting.
-TradeSetting own_setting(const std::vector<TradeKnob>& knobs);
+TradeSetting own_setting(const std::vector<TradeParameter>& parameters);
 
-// Adds the case's own setting with the given changes and returns its index; names that are not among the knobs are
+// Adds the case's own setting with the given changes and returns its index; names that are not among the parameters are
 // ignored. A setting that is already there is not added again.
-std::size_t add_setting(std::vector<TradeSetting>& settings, const std::vector<TradeKnob>& knobs,
+std::size_t add_setting(std::vector<TradeSetting>& settings, const std::vector<TradeParameter>& parameters,
                         const std::string& group, const std::vector<std::pair<std::string_view, double>>& changed);
 
-// Adds every level of each knob, with the others as in the case, unless it is already there.
-void add_levels(std::vector<TradeSetting>& settings, const std::vector<TradeKnob>& knobs);
+// Adds every level of each parameter, with the others as in the case, unless it is already there.
+void add_levels(std::vector<TradeSetting>& settings, const std::vector<TradeParameter>& parameters);
 
 // A bracket of the value that is searched for.
 struct TradeAnswer {
@@ -57,7 +57,7 @@ struct TradeAnswer {
 using TradeWatch = std::function<bool(double share)>;
 
 struct TradeProblem {
-    std::vector<TradeKnob> knobs;
+    std::vector<TradeParameter> parameters;
     std::vector<TradeSetting> settings;
     std::optional<double> truth;  // absent: the value found at `finest` is used, which then has no error of its own
     std::size_t finest = 0;       // index of a setting
@@ -98,8 +98,8 @@ std::vector<std::size_t> front_of(const TradeResult& result);
 std::vector<std::size_t> best_of_each_decade(const TradeResult& result);
 
 // A level as text: "0.4", "dropped".
-std::string level_in_words(const TradeKnob& knob, double level);
-// The knobs that differ from the case, "stiffness_ratio 1e7, start dropped"; empty if none does.
-std::string change_in_words(const std::vector<TradeKnob>& knobs, const TradeSetting& setting);
+std::string level_in_words(const TradeParameter& parameter, double level);
+// The parameters that differ from the case, "stiffness_ratio 1e7, start dropped"; empty if none does.
+std::string change_in_words(const std::vector<TradeParameter>& parameters, const TradeSetting& setting);
 
 }  // namespace delabole

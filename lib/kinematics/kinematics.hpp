@@ -126,19 +126,18 @@ struct PoleCounts {
     double toppling_axis;
     double without_set;
     static constexpr auto fields() {
-        constexpr Interval any = any_number();
         return FieldTable{
-            number<&PoleCounts::count>(any, "measured poles"),
-            number<&PoleCounts::planar_sliding>(any, "poles of planes that can slide"),
-            number<&PoleCounts::flexural_toppling>(any, "poles of layers that can topple"),
-            number<&PoleCounts::toppling_base>(any, "poles of planes that can be a base of direct toppling"),
+            number<&PoleCounts::count>("measured poles"),
+            number<&PoleCounts::planar_sliding>("poles of planes that can slide"),
+            number<&PoleCounts::flexural_toppling>("poles of layers that can topple"),
+            number<&PoleCounts::toppling_base>("poles of planes that can be a base of direct toppling"),
             number<&PoleCounts::intersections>(
-                any, "lines along which two of the planes meet, those of 1000 planes where there are more"),
-            number<&PoleCounts::wedge_sliding>(any, "lines of wedges that can slide, in both zones"),
+                "lines along which two of the planes meet, those of 1000 planes where there are more"),
+            number<&PoleCounts::wedge_sliding>("lines of wedges that can slide, in both zones"),
             number<&PoleCounts::wedge_sliding_secondary>(
-                any, "of these, lines that plunge less than the friction angle: the wedge slides on one steeper plane"),
-            number<&PoleCounts::toppling_axis>(any, "lines that can be the axis of toppling columns"),
-            number<&PoleCounts::without_set>(any, "poles that belong to no set")};
+                "of these, lines that plunge less than the friction angle: the wedge slides on one steeper plane"),
+            number<&PoleCounts::toppling_axis>("lines that can be the axis of toppling columns"),
+            number<&PoleCounts::without_set>("poles that belong to no set")};
     }
 };
 

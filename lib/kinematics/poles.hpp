@@ -35,19 +35,18 @@ struct FisherStatistics {
                               // (20^(1 / (N - 1)) - 1)
     double variability_cone;  // 68 %: half-angle about the mean that contains that share of the poles
     static constexpr auto fields() {
-        constexpr Interval any = any_number();
         return FieldTable{
-            number<&FisherStatistics::mean_dip>(Dimension::angle, any, "dip of the mean plane"),
-            number<&FisherStatistics::mean_dip_direction>(Dimension::angle, any, "dip direction of the mean plane"),
-            number<&FisherStatistics::count>(any, "number of poles"),
-            number<&FisherStatistics::resultant>(any, "length R of the resultant of their unit vectors"),
-            number<&FisherStatistics::concentration>(any, "Fisher's K"),
-            number<&FisherStatistics::lower_concentration>(any, "lower 95 % bound of K"),
-            number<&FisherStatistics::upper_concentration>(any, "upper 95 % bound of K"),
-            number<&FisherStatistics::confidence_cone>(Dimension::angle, any,
+            number<&FisherStatistics::mean_dip>(Dimension::angle, "dip of the mean plane"),
+            number<&FisherStatistics::mean_dip_direction>(Dimension::angle, "dip direction of the mean plane"),
+            number<&FisherStatistics::count>("number of poles"),
+            number<&FisherStatistics::resultant>("length R of the resultant of their unit vectors"),
+            number<&FisherStatistics::concentration>("Fisher's K"),
+            number<&FisherStatistics::lower_concentration>("lower 95 % bound of K"),
+            number<&FisherStatistics::upper_concentration>("upper 95 % bound of K"),
+            number<&FisherStatistics::confidence_cone>(Dimension::angle,
                                                        "half-angle of the cone that holds the true mean with 95 %"),
             number<&FisherStatistics::variability_cone>(
-                Dimension::angle, any, "half-angle of the cone about the mean that holds 68 % of the poles")};
+                Dimension::angle, "half-angle of the cone about the mean that holds 68 % of the poles")};
     }
 };
 

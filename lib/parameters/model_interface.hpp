@@ -35,10 +35,11 @@ inline const Quantity* find_quantity(const std::vector<Quantity>& quantities, st
     return place ? &quantities[*place] : nullptr;
 }
 
-// If an output has a partner whose name has this prefix, it is a mean over cases that differ by chance alone, and the
-// partner is their standard deviation. The real slope is one of these cases. The profile has a deviation in the same
-// way.
+// If an output has a partner whose name has one of these prefixes, it stands for several cases of which the real slope
+// is one, and the partner is their standard deviation: slopes of an ensemble, which differ by chance alone (the output
+// is their mean), or loading paths. The profile has a deviation between slopes in the same way.
 inline constexpr std::string_view deviation_prefix = "ensemble_deviation.";
+inline constexpr std::string_view path_deviation_prefix = "path_deviation.";
 inline constexpr std::string_view deviation_of_profile = "ensemble_deviation.profile";
 
 // One input set to a value other than its base value.

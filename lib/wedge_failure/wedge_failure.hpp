@@ -43,7 +43,6 @@ struct WedgeFailureResult {
     static constexpr auto fields() {
         using R = WedgeFailureResult;
         using D = Dimension;
-        constexpr Interval any = any_number();
         return FieldTable{
             section<&R::contact>("planes on which the wedge slides; none: it is lifted off both"),
             number<&R::factor_of_safety>("resisting over driving force"),
@@ -53,17 +52,17 @@ struct WedgeFailureResult {
             number<&R::sliding_trend>(D::angle, "trend of the direction of sliding"),
             number<&R::volume>(D::volume, "volume of the wedge"),
             number<&R::weight>(D::force, "weight of the wedge"),
-            number<&R::area_1>(D::area, any, "area of plane 1 under the wedge"),
-            number<&R::area_2>(D::area, any, "area of plane 2 under the wedge"),
+            number<&R::area_1>(D::area, "area of plane 1 under the wedge"),
+            number<&R::area_2>(D::area, "area of plane 2 under the wedge"),
             number<&R::crack_area>(D::area, "area of the tension crack behind the wedge"),
             number<&R::crack_depth>(D::length, "vertical depth of the crack's foot below the upper surface"),
             number<&R::height_of_line>(
                 D::length, "vertical height between the ends of the line of intersection, the crack disregarded"),
-            number<&R::water_force_1>(D::force, any, "water force on plane 1"),
-            number<&R::water_force_2>(D::force, any, "water force on plane 2"),
+            number<&R::water_force_1>(D::force, "water force on plane 1"),
+            number<&R::water_force_2>(D::force, "water force on plane 2"),
             number<&R::crack_water_force>(D::force, "water force in the crack"),
-            number<&R::normal_force_1>(D::force, any, "effective normal force on plane 1"),
-            number<&R::normal_force_2>(D::force, any, "effective normal force on plane 2"),
+            number<&R::normal_force_1>(D::force, "effective normal force on plane 1"),
+            number<&R::normal_force_2>(D::force, "effective normal force on plane 2"),
             number<&R::driving_force>(D::force, "force in the direction of sliding"),
             number<&R::resisting_force>(D::force, "available shear resistance")};
     }

@@ -109,6 +109,8 @@ parameter = [{ name = "water.water_depth", lower = "0 m", upper = "1 m" }]
 CASE
 fits 'Best explanation of the 2 compared: A plane without cohesion[.]' two.toml
 fits 'The data determine its parameter near the best point; they give cohesion ' two.toml
+# Half a bracket of the search is 0.1 deg.
+fits 'Best fit: friction angle (34[.]9[0-9]*|35([.]0[0-9]*)?) deg ' "$motion/strength_reduction.toml" --set critical.paths=all
 fits 'No mechanism has an answer within the bounds of its parameters[.]' good_fit.toml --set slope.face_dip='30 deg'
 
 finish

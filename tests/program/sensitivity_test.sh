@@ -157,4 +157,9 @@ expect_error 'delabole: interrupted: '
 expect_complete_results long
 expect "marked in result.json" test "$(json_value long/result.json status)" == '"interrupted"'
 
+title "the factor of safety of a search by strength reduction, which the weight of one block does not change"
+delabole sensitivity "$source_folder/cases/relaxation/strength_reduction.toml" --out reduced --no-report
+expect_status 0
+expect_output 'No change of scene.rock[1].density alone was seen to change the factor of safety.'
+
 finish

@@ -308,11 +308,12 @@ struct Program {
                  "grid cases/plane_failure/wyllie_mah_7_1.toml --vary \"water.water_depth=0 m:4.35 m:30\"",
                  delabole::grid_command, one_case);
 
-        complete(
-            add_on_case("trade",
-                        "Accuracy against cost of a dynamic relaxation: its critical value over the numerical knobs",
-                        "Case file of model relaxation with a [critical] section"),
-            common | output | threads, "trade cases/relaxation/single_block.toml", delabole::trade_command, one_case);
+        complete(add_on_case(
+                     "trade",
+                     "Accuracy against cost of a dynamic relaxation: its critical value over the numerical parameters",
+                     "Case file of model relaxation with a [critical] section"),
+                 common | output | threads, "trade cases/relaxation/single_block.toml", delabole::trade_command,
+                 one_case);
     }
 
     void add_case_tools() {

@@ -87,7 +87,7 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
                            expected != nullptr
                                ? "the case's expected value (" + expected->source + ")"
                                : "what the finest setting found, for want of an [[expect]] of " + quantity + " (" +
-                                     change_in_words(problem.knobs, problem.settings[problem.finest]) + ")",
+                                     change_in_words(problem.parameters, problem.settings[problem.finest]) + ")",
                            plan.tolerance / 2};
     const ResultFolder folder(options, stem_of(file) + "_trade", OnInterrupt::finish);
     const TradeResult result = trade_with_progress(problem, options);
@@ -100,7 +100,7 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
     if (!remarks.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", remarks});
     }
-    StudyDocuments documents = document_trade(problem.knobs, result, truth, folder, report);
+    StudyDocuments documents = document_trade(problem.parameters, result, truth, folder, report);
     Json source = provenance(file, "trade", options, watch.seconds());
     Json json;
     json["status"] = std::string(word_of(result.status));

@@ -65,7 +65,7 @@ struct TradeTruth {
 };
 
 // Writes the figure and trade.csv into the folder and appends blocks to the report.
-StudyDocuments document_trade(const std::vector<TradeKnob>& knobs, const TradeResult& result, const TradeTruth& truth,
-                              const ResultFolder& folder, Report& report);
+StudyDocuments document_trade(const std::vector<TradeParameter>& parameters, const TradeResult& result,
+                              const TradeTruth& truth, const ResultFolder& folder, Report& report);
 
 }  // namespace delabole

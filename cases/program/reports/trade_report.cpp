@@ -17,8 +17,8 @@ bool is_quality(const std::string& group) {
     return value_of<RelaxationQuality>(group).has_value();
 }
 
-std::string setting_in_words(const std::vector<TradeKnob>& knobs, const TradeSetting& setting) {
-    const std::string change = change_in_words(knobs, setting);
+std::string setting_in_words(const std::vector<TradeParameter>& parameters, const TradeSetting& setting) {
+    const std::string change = change_in_words(parameters, setting);
     if (change.empty()) {
         return "as in the case";
     }
@@ -33,7 +33,7 @@ std::string status_of(const TradeRow& row) {
     return row.answer.failure.empty() ? "found" : std::string(row.answer.failure);
 }
 
-Table settings_table(const std::string& caption, const TradeTruth& truth, const std::vector<TradeKnob>& knobs,
+Table settings_table(const std::string& caption, const TradeTruth& truth, const std::vector<TradeParameter>& parameters,
                      const TradeResult& result, const std::vector<std::size_t>& rows) {
     const Dimension dimension = truth.dimension;
     Table table{caption,
@@ -47,7 +47,7 @@ Table settings_table(const std::string& caption, const TradeTruth& truth, const 
     for (const std::size_t index : rows) {
         const TradeRow& row = result.rows[index];
         const bool found = row.answer.failure.empty();
-        table.rows.push_back({setting_in_words(knobs, row.setting),
+        table.rows.push_back({setting_in_words(parameters, row.setting),
                               found ? in_six_digits(middle(row.answer), dimension) : human_name(row.answer.failure),
                               row.error ? value_in_words(*row.error, dimension) : "",
                               row.error ? value_in_words(row.error_bound, dimension) : "",
@@ -57,25 +57,25 @@ Table settings_table(const std::string& caption, const TradeTruth& truth, const 
     return table;
 }
 
-std::string csv_of(const TradeTruth& truth, const std::vector<TradeKnob>& knobs, const TradeResult& result) {
+std::string csv_of(const TradeTruth& truth, const std::vector<TradeParameter>& parameters, const TradeResult& result) {
     const Dimension dimension = truth.dimension;
     std::vector<std::string> columns = {"group"};
-    for (const TradeKnob& knob : knobs) {
-        columns.push_back(knob.name);
+    for (const TradeParameter& parameter : parameters) {
+        columns.push_back(parameter.name);
     }
     columns.emplace_back("status");
     for (const std::string_view name :
-         {std::string_view("stands"), std::string_view("fails"), std::string_view(truth.quantity),
-          std::string_view("error"), std::string_view("error_at_most")}) {
+         std::initializer_list<std::string_view>{"stands", "fails", truth.quantity, "error", "error_at_most"}) {
         columns.push_back(column_name(name, dimension));
     }
     columns.insert(columns.end(), {"contacts_evaluated", "steps", "runs", "on_front", "wall_seconds"});
     CsvTable csv(columns);
     for (const TradeRow& row : result.rows) {
         std::vector<Cell> cells = {row.setting.group};
-        for (std::size_t index = 0; index < knobs.size(); ++index) {
+        for (std::size_t index = 0; index < parameters.size(); ++index) {
             const double value = row.setting.values[index];
-            cells.push_back(knobs[index].words.empty() ? Cell(value) : Cell(level_in_words(knobs[index], value)));
+            cells.push_back(parameters[index].words.empty() ? Cell(value)
+                                                            : Cell(level_in_words(parameters[index], value)));
         }
         cells.emplace_back(status_of(row));
         const auto value_cell = [&](bool known, double value) {
@@ -94,13 +94,13 @@ std::string csv_of(const TradeTruth& truth, const std::vector<TradeKnob>& knobs,
     return csv.text();
 }
 
-Json json_of(const std::vector<TradeKnob>& knobs, const TradeRow& row, Dimension dimension) {
+Json json_of(const std::vector<TradeParameter>& parameters, const TradeRow& row, Dimension dimension) {
     Json json;
     json["group"] = row.setting.group;
-    for (std::size_t index = 0; index < knobs.size(); ++index) {
+    for (std::size_t index = 0; index < parameters.size(); ++index) {
         const double value = row.setting.values[index];
-        json["settings"][knobs[index].name] =
-            knobs[index].words.empty() ? json_number(value) : Json(level_in_words(knobs[index], value));
+        json["settings"][parameters[index].name] =
+            parameters[index].words.empty() ? json_number(value) : Json(level_in_words(parameters[index], value));
     }
     json["status"] = status_of(row);
     if (row.answer.failure.empty()) {
@@ -127,7 +127,7 @@ std::vector<TradeCloud> clouds_of(const TradeResult& result, Dimension dimension
     for (const TradeRow& row : result.rows) {
         const std::string group = is_quality(row.setting.group)   ? "draft, standard, reference"
                                   : row.setting.group == "own"    ? "as in the case"
-                                  : row.setting.group == "corner" ? "several knobs"
+                                  : row.setting.group == "corner" ? "several parameters"
                                                                   : human_name(row.setting.group);
         const auto [found, added] = place.try_emplace(group, clouds.size());
         if (added) {
@@ -175,9 +175,9 @@ std::vector<std::size_t> all_rows(const TradeResult& result) {
 
 }  // namespace
 
-StudyDocuments document_trade(const std::vector<TradeKnob>& knobs, const TradeResult& result, const TradeTruth& truth,
-                              const ResultFolder& folder, Report& report) {
-    folder.write("trade.csv", csv_of(truth, knobs, result));
+StudyDocuments document_trade(const std::vector<TradeParameter>& parameters, const TradeResult& result,
+                              const TradeTruth& truth, const ResultFolder& folder, Report& report) {
+    folder.write("trade.csv", csv_of(truth, parameters, result));
 
     const Dimension dimension = truth.dimension;
     const std::string quantity = human_name(truth.quantity);
@@ -185,7 +185,7 @@ StudyDocuments document_trade(const std::vector<TradeKnob>& knobs, const TradeRe
         result.truth
             ? "Errors are differences from " + in_six_digits(*result.truth, dimension) + ", " + truth.where_from + "."
             : "There is nothing to hold the answers against: " + truth.where_from + " was not found.";
-    const Table best = settings_table("The most accurate setting of each decade of cost", truth, knobs, result,
+    const Table best = settings_table("The most accurate setting of each decade of cost", truth, parameters, result,
                                       best_of_each_decade(result));
     report.blocks.emplace_back(Heading{"Accuracy against cost"});
     report.blocks.emplace_back(
@@ -193,13 +193,13 @@ StudyDocuments document_trade(const std::vector<TradeKnob>& knobs, const TradeRe
                                  "makes small. The cost is the number of contact forces computed in the whole search, "
                                  "the same on every machine; seconds are those of this machine and decide nothing."});
     report.blocks.emplace_back(best);
-    report.blocks.emplace_back(
-        folder.draw(trade_figure(drawing_of(result, truth)), "trade",
-                    "Error against cost: each knob alone around the case's own settings, several together, and the "
-                    "qualities. Settings without an answer are in the table."));
+    report.blocks.emplace_back(folder.draw(
+        trade_figure(drawing_of(result, truth)), "trade",
+        "Error against cost: each parameter alone around the case's own settings, several together, and the "
+        "qualities. Settings without an answer are in the table."));
     report.blocks.emplace_back(settings_table("Settings that none is both cheaper and at least as accurate as", truth,
-                                              knobs, result, front_of(result)));
-    report.blocks.emplace_back(settings_table("All settings", truth, knobs, result, all_rows(result)));
+                                              parameters, result, front_of(result)));
+    report.blocks.emplace_back(settings_table("All settings", truth, parameters, result, all_rows(result)));
 
     StudyDocuments documents;
     documents.json["quantity"] = truth.quantity;
@@ -209,7 +209,7 @@ StudyDocuments document_trade(const std::vector<TradeKnob>& knobs, const TradeRe
     documents.json["truth_from"] = truth.where_from;
     documents.json["settings"] = Json::array();
     for (const TradeRow& row : result.rows) {
-        documents.json["settings"].push_back(json_of(knobs, row, dimension));
+        documents.json["settings"].push_back(json_of(parameters, row, dimension));
     }
     std::vector<std::vector<std::string>> lines = {
         {"best of each decade of cost", quantity, "error", "at most", "contacts evaluated", "steps", "seconds"}};

@@ -68,6 +68,7 @@ namespace delabole {
 
 // cosine; of two edges whose normals differ by more, only one bears
 constexpr double one_face = 0.937;
+constexpr double straight = 0.02;  // sine of the bend up to which two edges are one face to statics, too
 
 struct CornerMotion {
     const Bodies& bodies;

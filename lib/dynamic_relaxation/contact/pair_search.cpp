@@ -264,9 +264,14 @@ void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const 
         return;
     }
     if (cosine > one_face) {
-        // Edge and face lie on each other as one face, so that the edge beyond the end is not a rival.
+        // Edge and face lie on each other as one face, so that the edge beyond the end is not a rival. Where a sliver
+        // was taken away between them, they gape, and a corner at the end bears like a tip on a bend.
         if (law.alone > 0) {
             law.rival = law.rival_sine = law.rival_cosine = law.alone = 0;
+        }
+        const double gape = std::abs(inward.x() * along_face.y() - inward.y() * along_face.x());
+        if (law.rival == 0 && gape > straight) {
+            law.rival_sine = at_start ? gape : -gape;
         }
         return;
     }

@@ -88,23 +88,14 @@ PlanePoint<> centroid_of(const BlocksUnderLoad& blocks, std::size_t block) {
 // `half` points along the edge of `other`, which lies to the left of it.
 void add_face(std::size_t block, std::size_t other, const PlanePoint<>& middle, const PlanePoint<>& half,
               const FaceStrength& strength, Assembly& assembly) {
-    if (block != held) {
-        assembly.contacts.push_back({block, other != held ? std::optional(other) : std::nullopt, middle + half,
-                                     middle - half, strength.friction_angle, strength.cohesion,
-                                     strength.tensile_strength});
-    } else if (other != held) {
-        assembly.contacts.push_back({other,
-                                     {},
-                                     middle - half,
-                                     middle + half,
-                                     strength.friction_angle,
-                                     strength.cohesion,
-                                     strength.tensile_strength});
+    if (block == held && other == held) {
+        return;
     }
+    const PlanePoint<> to_start = block != held ? half : PlanePoint<>(-half);
+    assembly.contacts.push_back(
+        {block != held ? block : other, block != held && other != held ? std::optional(other) : std::nullopt,
+         middle + to_start, middle - to_start, strength.friction_angle, strength.cohesion, strength.tensile_strength});
 }
-
-// Sine of the bend up to which two edges are one face: where slivers were taken away, a joint may bend a little.
-constexpr double straight = 0.02;
 
 // Whether a corner bears on its edge and not on a corner of it.
 bool is_on_edge(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact,

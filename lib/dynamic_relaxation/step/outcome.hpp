@@ -24,6 +24,10 @@ enum class RelaxationOutcome {
     scene_not_valid,
 };
 
+inline bool is_failure(RelaxationOutcome outcome) {
+    return outcome == RelaxationOutcome::onset || outcome == RelaxationOutcome::collapse;
+}
+
 // Share of the energy converted, and stored in springs at the start, that a run's energy balance may lack for its
 // outcome to be accepted: several times what impacts lose. A smaller energy than lifts the blocks by this number of
 // their settlements cannot move them: blocks that only stand convert no more than that.

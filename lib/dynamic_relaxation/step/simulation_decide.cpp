@@ -81,9 +81,7 @@ void Simulation::decide() {
     const bool collapsed = farthest.rotation > settings_.collapse_rotation ||
                            farthest.displacement > settings_.collapse_displacement ||
                            std::ranges::find(state_.removed, has_left) != state_.removed.end();
-    // Motion that is followed for a given time is judged at the end.
-    const bool followed = last && !settings_.stop_at_equilibrium && !settings_.stop_at_collapse;
-    if (collapsed && (settings_.stop_at_collapse || followed)) {
+    if (collapsed && (settings_.stop_at_collapse || last)) {
         decide(RelaxationOutcome::collapse);
     } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners() &&
                (last || settings_.stop_at_equilibrium)) {
@@ -91,7 +89,7 @@ void Simulation::decide() {
                : settings_.stop_at_onset && state_.onset_time >= 0 ? RelaxationOutcome::onset
                : held_by_corners()                                 ? RelaxationOutcome::held_by_corners
                                                                    : RelaxationOutcome::equilibrium);
-    } else if (last && state_.onset_time >= 0 && (settings_.stop_at_collapse || followed)) {
+    } else if (last && state_.onset_time >= 0) {
         // Blocks have moved past the thresholds and have not come to rest since.
         decide(RelaxationOutcome::onset);
     }

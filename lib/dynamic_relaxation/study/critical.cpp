@@ -31,7 +31,7 @@ std::optional<CriticalStatus> no_answer(RelaxationOutcome outcome) {
     return CriticalStatus::not_valid;
 }
 
-constexpr std::array milder_shares = {0.98, 0.96, 0.93, 0.9};
+constexpr std::array less_demanding_shares = {0.98, 0.96, 0.93, 0.9};
 
 class Bisection {
   public:
@@ -59,7 +59,7 @@ class Bisection {
             critical_.status = CriticalStatus::stands_everywhere;
             return critical_;
         }
-        while (bisect() && mean_ == BracketMean::geometric && rested_in_motion_ && fails_milder()) {
+        while (bisect() && mean_ == BracketMean::geometric && rested_in_motion_ && fails_where_less_is_demanded()) {
         }
         return critical_;
     }
@@ -103,16 +103,17 @@ class Bisection {
         return true;
     }
 
-    bool is_milder(double one, double other) const { return stands_low_ ? one < other : one > other; }
+    bool demands_less(double one, double other) const { return stands_low_ ? one < other : one > other; }
 
-    // Whether the blocks fail at a value milder than the one at which bisection found them to stand; the bracket then
-    // lies between that value and the nearest milder one at which they stood. A run without an answer is ignored here.
-    bool fails_milder() {
+    // Whether the blocks fail at a value less demanding than the one at which bisection found them to stand; the
+    // bracket then lies between that value and the nearest less demanding one at which they stood. A run without an
+    // answer is ignored here.
+    bool fails_where_less_is_demanded() {
         const double should_stand = stood_.front();
         const double found = critical_.stands;
-        for (const double share : milder_shares) {
+        for (const double share : less_demanding_shares) {
             const double value = stands_low_ ? found * share : found / share;
-            if (!is_milder(should_stand, value)) {
+            if (!demands_less(should_stand, value)) {
                 break;
             }
             const std::optional<bool> stands = stands_at(value);
@@ -125,7 +126,7 @@ class Bisection {
                 critical_.fails = value;
                 critical_.stands = should_stand;
                 for (const double stood : stood_) {
-                    if (is_milder(critical_.stands, stood) && is_milder(stood, value)) {
+                    if (demands_less(critical_.stands, stood) && demands_less(stood, value)) {
                         critical_.stands = stood;
                     }
                 }

@@ -2,9 +2,9 @@
 //
 // The answer is a bracket: the blocks stand at one end and fail at the other. Its width is the resolution, not the
 // accuracy: stiffness shifts the answer (simulation.hpp). Blocks that came to rest only after they had moved may stand
-// at one value and fail at a milder one; bisection sees one such change. Where the blocks at the ratio found came to
-// rest in motion, values 2 to 10 % milder are tried as well, and the answer is the mildest at which they were found to
-// fail.
+// at one value and fail at a less demanding one; bisection sees one such change. Where the blocks at the ratio found
+// came to rest in motion, values less demanding by 2 to 10 % are tried as well, and the answer is the least demanding
+// at which they were found to fail.
 #pragma once
 
 #include "dynamic_relaxation/step/outcome.hpp"
@@ -27,11 +27,12 @@ enum class CriticalStatus {
 
 struct CriticalValue {
     CriticalStatus status = CriticalStatus::found;
-    double stands = 0;                   // nearest value at which the blocks are known to stand
-    double fails = 0;                    // nearest value at which they are known to fail
-    std::optional<double> stands_again;  // value at which the blocks stand although they fail at the milder `fails`
-    bool held_by_corners = false;        // at `fails`: the blocks rest, but on corners alone
-    double last = 0;                     // value of the last run: if no value was found, the one that ended the search
+    double stands = 0;  // nearest value at which the blocks are known to stand
+    double fails = 0;   // nearest value at which they are known to fail
+    std::optional<double>
+        stands_again;              // value at which the blocks stand although they fail at `fails`, which demands less
+    bool held_by_corners = false;  // at `fails`: the blocks rest, but on corners alone
+    double last = 0;               // value of the last run: if no value was found, the one that ended the search
     std::uint64_t runs = 0;
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;

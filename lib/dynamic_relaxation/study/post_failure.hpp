@@ -89,27 +89,23 @@ struct PostFailureAnswer {
     std::vector<CrestJoint> joint;
     static constexpr auto fields() {
         using P = PostFailureAnswer;
-        constexpr Interval any = any_number();
         return FieldTable{
-            number<&P::failed_area>(Dimension::area, any, "of the section that has failed"),
-            number<&P::failed_width>(Dimension::length, any, "of the ground behind the crest, failed"),
-            number<&P::foot_level>(Dimension::length, any,
-                                   "y of the foot of the failure: its height above a toe at (0, 0)"),
-            number<&P::knee_level>(Dimension::length, any, "likewise, where lower and upper surface meet"),
-            number<&P::top_level>(Dimension::length, any, "likewise, of its top"),
-            number<&P::lower_angle>(Dimension::angle, any,
-                                    "mean inclination of the surface left standing, foot to knee"),
-            number<&P::upper_angle>(Dimension::angle, any, "likewise, knee to top"),
+            number<&P::failed_area>(Dimension::area, "of the section that has failed"),
+            number<&P::failed_width>(Dimension::length, "of the ground behind the crest, failed"),
+            number<&P::foot_level>(Dimension::length, "y of the foot of the failure: its height above a toe at (0, 0)"),
+            number<&P::knee_level>(Dimension::length, "likewise, where lower and upper surface meet"),
+            number<&P::top_level>(Dimension::length, "likewise, of its top"),
+            number<&P::lower_angle>(Dimension::angle, "mean inclination of the surface left standing, foot to knee"),
+            number<&P::upper_angle>(Dimension::angle, "likewise, knee to top"),
             number<&P::lower_roughness>(
-                Dimension::length, any,
+                Dimension::length,
                 "root mean square distance of the surface left standing from the line from foot to knee"),
-            number<&P::upper_roughness>(Dimension::length, any, "likewise, from knee to top"),
+            number<&P::upper_roughness>(Dimension::length, "likewise, from knee to top"),
             section<&P::near_face>("blocks between the crest and the first open crack behind it"),
             section<&P::between_cracks>("blocks between the first and the last open crack"),
-            number<&P::backward_rotation>(Dimension::angle, any,
+            number<&P::backward_rotation>(Dimension::angle,
                                           "into the slope, the greatest of a block at the ground behind the crest"),
             number<&P::rotation_share>(
-                any,
                 "share of rotation in the kinetic energy of all blocks that are there, with displacements since the "
                 "start in place of velocities; 0: they slide, 0.25: rectangles turn about a corner"),
             section<&P::joint>("cracks at the crest by their joint, as the scene lists joints")};

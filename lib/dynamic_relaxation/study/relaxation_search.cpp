@@ -3,9 +3,13 @@
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"
 
+#include <gsl/gsl_statistics_double.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace delabole {
 
@@ -49,8 +53,7 @@ std::vector<LoadingPath> paths_of(const RelaxationStudy& study, LoadingPath firs
 
 // Whether a run that ended shows that the blocks do not stand.
 bool shows_failure(RelaxationOutcome outcome) {
-    return outcome == RelaxationOutcome::onset || outcome == RelaxationOutcome::collapse ||
-           outcome == RelaxationOutcome::held_by_corners;
+    return is_failure(outcome) || outcome == RelaxationOutcome::held_by_corners;
 }
 
 class PathSearch {
@@ -345,18 +348,21 @@ std::vector<Quantity> outputs_of_search(const CriticalPlan& plan) {
     if (plan.path.size() > 1) {
         outputs.push_back(
             {name + "_spread", dimension, "greatest less least value over the paths: error of the model"});
+        outputs.push_back({std::string(path_deviation_prefix) + name, dimension,
+                           "standard deviation of the values over the paths, which a fit adds to that of the data"});
     }
     return outputs;
 }
 
-double CriticalAnswer::spread() const {
-    double least = value();
-    double greatest = least;
-    for (const PathValue& one : other) {
-        least = std::min(least, one.value());
-        greatest = std::max(greatest, one.value());
+std::vector<double> CriticalAnswer::values() const {
+    std::vector<double> found{value()};
+    std::ranges::transform(other, std::back_inserter(found), [](const PathValue& one) { return one.value(); });
+    if (!other.empty()) {
+        const auto [least, greatest] = std::ranges::minmax(found);
+        found.push_back(greatest - least);
+        found.push_back(gsl_stats_sd(found.data(), 1, found.size() - 1));
     }
-    return greatest - least;
+    return found;
 }
 
 CriticalStatus CriticalAnswer::worst_status() const {
@@ -401,14 +407,14 @@ std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const Crit
         !plan.is_ratio()) {
         return std::nullopt;
     }
-    constexpr double milder = 0.98;
+    constexpr double less_demanding = 0.98;
     constexpr std::uint64_t fewest_steps = 1000;
     StudyWork work;
     work.watch = watch;
     StudyProgress whole;
     SearchProgress progress;
     PathSearch search(study, plan, LoadingPath::preloaded, work, whole, progress);
-    const double value = milder * found.stands;
+    const double value = less_demanding * found.stands;
     const RelaxationOutcome outcome = search.run_at(value, std::max(found.steps, fewest_steps)).outcome;
     const bool stands = outcome == RelaxationOutcome::equilibrium;
     return stands || shows_failure(outcome) ? std::optional(OtherPath{value, stands}) : std::nullopt;

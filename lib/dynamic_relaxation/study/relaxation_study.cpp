@@ -60,14 +60,16 @@ bool ends_with_duration(const RelaxationStudy& study) {
 
 // Why a run has no answer; empty if it has one.
 std::string_view failure_of(const RelaxationRun& made) {
+    if (made.unfinished()) {
+        return word_of(RelaxationOutcome::undecided);
+    }
     switch (made.result.outcome) {
     case RelaxationOutcome::equilibrium:
     case RelaxationOutcome::held_by_corners:
     case RelaxationOutcome::onset:
     case RelaxationOutcome::collapse:
-        return {};
     case RelaxationOutcome::undecided:
-        return made.unfinished() ? word_of(made.result.outcome) : std::string_view();
+        return {};
     case RelaxationOutcome::scene_not_valid:
         return word_of(made.result.fault.check);
     default:
@@ -92,13 +94,7 @@ Prediction prediction_of(const RelaxationStudy& study, const RelaxationRun& made
                          const std::optional<CriticalAnswer>& critical) {
     std::vector<double> outputs = output_values(without_blocks_of_slope(answer_of(made), study));
     if (critical) {
-        outputs.push_back(critical->value());
-        for (const PathValue& other : critical->other) {
-            outputs.push_back(other.value());
-        }
-        if (!critical->other.empty()) {
-            outputs.push_back(critical->spread());
-        }
+        std::ranges::move(critical->values(), std::back_inserter(outputs));
     }
     return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
 }

@@ -86,9 +86,10 @@ struct RelaxationNumerics {
                       number<&N::collapse_rotation>(Dimension::angle, more_than(0), "more is collapse")),
             absent_is(standard.collapse_displacement,
                       number<&N::collapse_displacement>(more_than(0), "in block radii, likewise")),
-            section<&N::stop>("end at equilibrium or collapse, at onset too, at nothing before collapse, at the latest "
-                              "at the duration, which is then no lack of an answer, or where all rest, also what has "
-                              "collapsed; absent: equilibrium"),
+            section<&N::stop>(
+                "what ends the run: equilibrium or a collapse; onset, equilibrium or a collapse; a collapse "
+                "alone; the duration, without a lack of a verdict; or rest, of collapsed blocks, too; "
+                "absent: equilibrium"),
             absent_is(standard.duration, number<&N::duration>(Dimension::time, more_than(0), "longest model time")),
             number<&N::watch>(Dimension::time, more_than(0),
                               "model time for which motion is followed whatever comes of it, past equilibrium, onset "
@@ -97,7 +98,7 @@ struct RelaxationNumerics {
                       number<&N::most_steps>(within(1, 1e12), "longest run, a whole number")),
             number<&N::taken_away_below>(Dimension::length,
                                          "level in the section; a block that comes to lie below it has left the slope "
-                                         "and is taken away; absent: all stay"),
+                                         "and is removed; absent: all stay"),
             number<&N::crack_opening>(more_than(0),
                                       "in shortest edges; neighbours that part by more show the first tension crack; "
                                       "absent: 0.01 for rows and stepped bases, none looked for else"),
@@ -248,10 +249,14 @@ struct RelaxationRun {
     bool in_stages = false;             // by retrogression
     std::vector<FailureStage> stage{};  // failed stages of retrogression; `end` and `result` are of the run after them
 
-    // Whether the run reached its limit of time or steps before the requested end.
+    bool failed() const { return is_failure(result.outcome); }
+    // Whether the run reached its limit of time or steps before the requested end: a verdict, or blocks at rest.
     bool unfinished() const {
-        return result.outcome == RelaxationOutcome::undecided &&
-               (!ends_with_duration || result.cost.steps >= settings.most_steps);
+        const bool out_of_steps = result.cost.steps >= settings.most_steps;
+        const bool to_rest = settings.stop_at_equilibrium && !settings.stop_at_collapse;
+        return result.outcome == RelaxationOutcome::undecided
+                   ? !ends_with_duration || out_of_steps
+                   : to_rest && failed() && (out_of_steps || result.time >= settings.duration);
     }
 };
 
@@ -288,8 +293,8 @@ struct PathValue : CriticalValue {
 struct CriticalAnswer : PathValue {
     std::vector<PathValue> other = {};
 
-    // Greatest less least value; requires that all paths have found one.
-    double spread() const;
+    // Values of the outputs of the search, in the order of outputs_of_search; requires that all paths have found one.
+    std::vector<double> values() const;
     // The first status that is not `found`.
     CriticalStatus worst_status() const;
 };
@@ -314,7 +319,8 @@ std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const Crit
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);
 
 // Names of the outputs of a search: the critical value and, if there are several paths, that on each of the others
-// ("factor_of_safety_gravity") and the spread ("factor_of_safety_spread").
+// ("factor_of_safety_gravity"), the spread ("factor_of_safety_spread") and the standard deviation between the paths
+// (path_deviation_prefix).
 std::vector<Quantity> outputs_of_search(const CriticalPlan& plan);
 
 // Runs the ensemble of the study, which must have one. The run and the search of its first member are given and must

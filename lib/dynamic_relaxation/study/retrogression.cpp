@@ -144,7 +144,7 @@ class Retrogression {
         made.stage = progress_.stage;
         // Afterwards `progress` holds the complete last run, so that a continuation finds the same end.
         progress_.state = made.end;
-        if (made.result.outcome == RelaxationOutcome::onset || made.result.outcome == RelaxationOutcome::collapse) {
+        if (made.failed()) {
             progress_.stage.pop_back();
         }
         made.post_failure = survey(made.end->origin, made.end->motion, gone_);

@@ -28,8 +28,7 @@ struct RetrogressionRequest {
     std::optional<double> most_stages;
     static constexpr auto fields() {
         return FieldTable{number<&RetrogressionRequest::most_stages>(
-            at_least(1),
-            "after which what is left is not looked at: 1 finds the mass that fails first; absent: all there are")};
+            at_least(1), "greatest number of masses sought: 1 finds the one that fails first; absent: all")};
     }
 };
 
@@ -45,15 +44,13 @@ struct RetrogressionStage {
     double rotation_share;
     static constexpr auto fields() {
         using S = RetrogressionStage;
-        constexpr Interval any = any_number();
         return FieldTable{
-            number<&S::blocks>(any, "blocks that failed"),
-            number<&S::area>(Dimension::area, any, "of the section that failed"),
-            number<&S::toppling_share>(any, "share of this area in blocks that turn out of the slope"),
-            number<&S::backward_share>(any, "likewise, into the slope"),
-            number<&S::sliding_share>(any, "likewise, in blocks that do not turn"),
-            number<&S::rotation_share>(any,
-                                       "share of rotation in the kinetic energy at onset, with displacements until "
+            number<&S::blocks>("blocks that failed"),
+            number<&S::area>(Dimension::area, "of the section that failed"),
+            number<&S::toppling_share>("share of this area in blocks that turn out of the slope"),
+            number<&S::backward_share>("likewise, into the slope"),
+            number<&S::sliding_share>("likewise, in blocks that do not turn"),
+            number<&S::rotation_share>("share of rotation in the kinetic energy at onset, with displacements until "
                                        "then in place of velocities; 0: blocks slide, 0.25: rectangles turn about a "
                                        "corner. Of several masses the mean by area")};
     }

@@ -334,13 +334,19 @@ void PathLattice::add_push(PathLoad& load, const EdgeWater& water, const Point& 
     load.moment += cross(from + water.position * along - about, force);
 }
 
-void PathLattice::set_risers() {
+void PathLattice::set_riser_outcrops() {
     for (std::size_t riser = 0;; ++riser) {
         const Point outcrop = riser == 0 ? crest : crossing(riser_line(riser), upper_);
         if (retreat(outcrop) > greatest_retreat) {
             break;
         }
         riser_outcrop.push_back(outcrop);
+    }
+}
+
+void PathLattice::set_risers() {
+    set_riser_outcrops();
+    for (std::size_t riser = 0; riser < riser_outcrop.size(); ++riser) {
         std::vector<std::optional<Point>>& nodes = riser_node.emplace_back(levels);
         for (std::size_t level = 0; level < levels; ++level) {
             const Point node = crossing(riser_line(riser), level_line(level));
@@ -440,15 +446,8 @@ std::optional<PathWedge> PathLattice::make_wedge(const SteppedPath& path, std::s
 }
 
 void PathLattice::set_columns(const SteppedPath& path) {
-    const bool with_wedges = path.search.mechanism == SteppedPathMechanism::slide_head_toppling;
-    if (with_wedges) {
-        for (std::size_t riser = 0;; ++riser) {
-            const Point outcrop = riser == 0 ? crest : crossing(riser_line(riser), upper_);
-            if (retreat(outcrop) > greatest_retreat) {
-                break;
-            }
-            riser_outcrop.push_back(outcrop);
-        }
+    if (path.search.mechanism == SteppedPathMechanism::slide_head_toppling) {
+        set_riser_outcrops();
     }
     for (std::size_t joint = 1;; ++joint) {
         const SectionLine line = column_line(joint);

@@ -101,6 +101,7 @@ class PathLattice {
     Point exit(const Point& from, const Point& along) const;
     void set_water(const SteppedPath& path);
     bool has_surface() const;
+    void set_riser_outcrops();
     void set_risers();
     void set_columns(const SteppedPath& path);
     PathCell make_cell(std::size_t column, std::size_t level) const;

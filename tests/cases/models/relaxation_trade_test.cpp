@@ -17,9 +17,9 @@ RelaxationStudy study_of(const CaseFile& file) {
     return std::get<RelaxationStudy>(file.model);
 }
 
-double value_of(const std::vector<TradeKnob>& knobs, const TradeSetting& setting, const std::string& name) {
-    for (std::size_t index = 0; index < knobs.size(); ++index) {
-        if (knobs[index].name == name) {
+double value_of(const std::vector<TradeParameter>& parameters, const TradeSetting& setting, const std::string& name) {
+    for (std::size_t index = 0; index < parameters.size(); ++index) {
+        if (parameters[index].name == name) {
             return setting.values[index];
         }
     }
@@ -48,17 +48,17 @@ TEST(RelaxationTrade, EverySettingIsOneThatACaseMaySay) {
     EXPECT_GE(problem.settings.size(), 30U);
     EXPECT_LE(problem.settings.size(), 65U);
     for (const TradeSetting& setting : problem.settings) {
-        const RelaxationStudy changed = with_knobs(study, problem.knobs, setting.values);
-        EXPECT_TRUE(in_range(*changed.settings)) << change_in_words(problem.knobs, setting);
+        const RelaxationStudy changed = with_parameters(study, problem.parameters, setting.values);
+        EXPECT_TRUE(in_range(*changed.settings)) << change_in_words(problem.parameters, setting);
         EXPECT_EQ(changed.settings->start == RelaxationStart::ramped, changed.settings->ramp_time > 0.0);
         EXPECT_GT(problem.expected_cost(setting.values), 0);
         const RelaxationSettings settings = relaxation_settings(changed);
-        EXPECT_EQ(settings.step_fraction, value_of(problem.knobs, setting, "step_fraction"));
-        EXPECT_EQ(settings.onset_rotation, value_of(problem.knobs, setting, "onset_threshold"));
+        EXPECT_EQ(settings.step_fraction, value_of(problem.parameters, setting, "step_fraction"));
+        EXPECT_EQ(settings.onset_rotation, value_of(problem.parameters, setting, "onset_threshold"));
         // The case's own thresholds are both 0.01.
         EXPECT_NEAR(settings.onset_slide, settings.onset_rotation, 1e-16);
         EXPECT_LT(settings.onset_rotation, settings.collapse_rotation);
-        EXPECT_EQ(stiffness_ratio_of(changed), value_of(problem.knobs, setting, "stiffness_ratio"));
+        EXPECT_EQ(stiffness_ratio_of(changed), value_of(problem.parameters, setting, "stiffness_ratio"));
     }
 }
 
@@ -73,7 +73,7 @@ TEST(RelaxationTrade, SingleBlockFollowsItsLawOverTheStiffness) {
     const TradeResult result = trade(problem, {}, never);
     ASSERT_EQ(result.status, TradeStatus::finished);
     for (const TradeRow& row : result.rows) {
-        const double ratio = value_of(problem.knobs, row.setting, "stiffness_ratio");
+        const double ratio = value_of(problem.parameters, row.setting, "stiffness_ratio");
         const double law = std::atan(1.0 / 3 - std::sqrt(1 + 1.0 / 9) / ratio);
         ASSERT_TRUE(row.error);
         // The search errs by half its bracket, and by a tenth of the shift since the block moves before it is judged.
@@ -86,8 +86,8 @@ TEST(RelaxationTrade, SingleBlockFollowsItsLawOverTheStiffness) {
 TEST(RelaxationTrade, StiffnessOfJointsThatGiveTheirOwnIsLeftAlone) {
     const RelaxationStudy study = study_of(single_block({parse_setting("scene.base.normal_stiffness=1e10 N/m/m")}));
     const TradeProblem problem = trade_problem(study, {}, 1);
-    for (const TradeKnob& knob : problem.knobs) {
-        EXPECT_NE(knob.name, "stiffness_ratio");
+    for (const TradeParameter& parameter : problem.parameters) {
+        EXPECT_NE(parameter.name, "stiffness_ratio");
     }
     EXPECT_EQ(trade_remarks(study).size(), 1U);
     EXPECT_TRUE(trade_remarks(study_of(single_block())).empty());

@@ -130,6 +130,18 @@ TEST(Misfit, CountsTheScatterOfAnEnsembleAsItsDensitySays) {
     EXPECT_EQ(misfit.data_count(), 5);
 }
 
+// Deviations between slopes and between loading paths add as independent ones do.
+TEST(Misfit, AddsTheDeviationBetweenLoadingPaths) {
+    const ModelInterface model =
+        formula_model(1, {"a", "ensemble_deviation.a", "path_deviation.a"}, [](std::span<const double> x) {
+            return answer({x[0], 4, 12});
+        });
+    const FitProblem problem = test::problem_of(model, {test::free_parameter("x1", 0, 10)}, {observe("a", 1, 3)});
+    const Misfit misfit(problem.mechanisms[0], problem);
+    EXPECT_NEAR(misfit.parts(std::vector<double>{6}).data, 25 / 169.0 + std::log(169 / 9.0), 1e-12);
+    EXPECT_NEAR(misfit.compare(std::vector<double>{6})[0].scatter, std::sqrt(160), 1e-12);
+}
+
 // Where draws cannot be divided evenly the last of them closes a shorter stretch, so that none of those asked for is
 // missing.
 TEST(Draws, AreThinnedToAsManyAsAskedFor) {

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double truth = 18.4;
 
-const std::vector<TradeKnob> knobs = {{"stiffness", {1e3, 1e4, 1e5}, 1e4, {}},
-                                      {"step", {0.1, 0.2, 0.4}, 0.4, {}},
-                                      {"start", {0, 1}, 0, {"preloaded", "dropped"}}};
+const std::vector<TradeParameter> parameters = {{"stiffness", {1e3, 1e4, 1e5}, 1e4, {}},
+                                                {"step", {0.1, 0.2, 0.4}, 0.4, {}},
+                                                {"start", {0, 1}, 0, {"preloaded", "dropped"}}};
 
 // Compliance shifts the answer, a dropped start shifts it more at half the cost, small steps cost and gain nothing; a
 // soft dropped block has no answer.
@@ -30,7 +30,7 @@ TradeAnswer shifted_answer(std::span<const double> values, const TradeWatch& wat
 
 TradeProblem problem_of(const std::vector<TradeSetting>& settings) {
     TradeProblem problem;
-    problem.knobs = knobs;
+    problem.parameters = parameters;
     problem.settings = settings;
     problem.truth = truth;
     problem.answer = shifted_answer;
@@ -39,17 +39,17 @@ TradeProblem problem_of(const std::vector<TradeSetting>& settings) {
 }
 
 std::vector<TradeSetting> levels_alone() {
-    std::vector<TradeSetting> settings = {own_setting(knobs)};
-    add_levels(settings, knobs);
+    std::vector<TradeSetting> settings = {own_setting(parameters)};
+    add_levels(settings, parameters);
     return settings;
 }
 
 // Every combination of the levels.
 std::vector<TradeSetting> full_grid() {
     std::vector<TradeSetting> settings;
-    for (const double stiffness : knobs[0].levels) {
-        for (const double step : knobs[1].levels) {
-            for (const double start : knobs[2].levels) {
+    for (const double stiffness : parameters[0].levels) {
+        for (const double step : parameters[1].levels) {
+            for (const double start : parameters[2].levels) {
                 settings.push_back({"grid", {stiffness, step, start}});
             }
         }
@@ -59,7 +59,7 @@ std::vector<TradeSetting> full_grid() {
 
 const std::atomic<bool> never = false;
 
-TEST(Trade, DesignVariesOneKnobAtATimeAndRepeatsNothing) {
+TEST(Trade, DesignVariesOneParameterAtATimeAndRepeatsNothing) {
     const std::vector<TradeSetting> settings = levels_alone();
     ASSERT_EQ(settings.size(), 1 + 2 + 2 + 1);
     EXPECT_EQ(settings[0].group, own_group);
@@ -68,10 +68,10 @@ TEST(Trade, DesignVariesOneKnobAtATimeAndRepeatsNothing) {
     for (const TradeSetting& setting : settings) {
         EXPECT_TRUE(all.insert(setting.values).second);
         std::size_t changed = 0;
-        for (std::size_t knob = 0; knob < knobs.size(); ++knob) {
-            const bool own = setting.values[knob] == knobs[knob].own;
+        for (std::size_t parameter = 0; parameter < parameters.size(); ++parameter) {
+            const bool own = setting.values[parameter] == parameters[parameter].own;
             changed += own ? 0 : 1;
-            EXPECT_TRUE(own || setting.group == knobs[knob].name);
+            EXPECT_TRUE(own || setting.group == parameters[parameter].name);
         }
         EXPECT_EQ(changed, setting.group == own_group ? 0 : 1);
     }
@@ -80,9 +80,9 @@ TEST(Trade, DesignVariesOneKnobAtATimeAndRepeatsNothing) {
 TEST(Trade, SettingThatIsThereIsFoundAgain) {
     std::vector<TradeSetting> settings = levels_alone();
     const std::size_t count = settings.size();
-    EXPECT_EQ(add_setting(settings, knobs, "corner", {{"stiffness", 1e4}, {"no such knob", 7}}), 0);
+    EXPECT_EQ(add_setting(settings, parameters, "corner", {{"stiffness", 1e4}, {"no such parameter", 7}}), 0);
     EXPECT_EQ(settings.size(), count);
-    EXPECT_EQ(add_setting(settings, knobs, "corner", {{"stiffness", 1e5}, {"step", 0.1}}), count);
+    EXPECT_EQ(add_setting(settings, parameters, "corner", {{"stiffness", 1e5}, {"step", 0.1}}), count);
     EXPECT_EQ(settings.back().values, (std::vector<double>{1e5, 0.1, 0}));
 }
 
@@ -121,7 +121,7 @@ TEST(Trade, ErrorBoundReachesToTheFarEndOfTheBracket) {
 TEST(Trade, WithoutATruthTheFinestSettingIsTheYardstickAndNotJudged) {
     TradeProblem problem = problem_of(levels_alone());
     problem.truth.reset();
-    problem.finest = add_setting(problem.settings, knobs, "corner", {{"stiffness", 1e5}, {"step", 0.1}});
+    problem.finest = add_setting(problem.settings, parameters, "corner", {{"stiffness", 1e5}, {"step", 0.1}});
     const TradeResult result = trade(problem, {}, never);
     ASSERT_TRUE(result.truth);
     EXPECT_NEAR(*result.truth, truth - 1e-4, 1e-14);
@@ -197,10 +197,10 @@ TEST(Trade, BestOfEachDecadeIsTheMostAccurate) {
 }
 
 TEST(Trade, ChangesAreNamedInWords) {
-    EXPECT_EQ(change_in_words(knobs, {"own", {1e4, 0.4, 0}}), "");
-    EXPECT_EQ(change_in_words(knobs, {"corner", {3e7, 0.4, 1}}), "stiffness 3e7, start dropped");
-    EXPECT_EQ(level_in_words(knobs[1], 1e-5), "1e-5");
-    EXPECT_EQ(level_in_words(knobs[1], 0.05), "0.05");
+    EXPECT_EQ(change_in_words(parameters, {"own", {1e4, 0.4, 0}}), "");
+    EXPECT_EQ(change_in_words(parameters, {"corner", {3e7, 0.4, 1}}), "stiffness 3e7, start dropped");
+    EXPECT_EQ(level_in_words(parameters[1], 1e-5), "1e-5");
+    EXPECT_EQ(level_in_words(parameters[1], 0.05), "0.05");
 }
 
 }  // namespace

@@ -37,6 +37,10 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     const std::string last = value_in_words(value.last, dimension);
     const std::string more = plan.stands_low() ? ": raise critical.upper" : ": lower critical.lower";
     const std::string less = plan.stands_low() ? ": lower critical.lower" : ": raise critical.upper";
+    const std::string known = value.stands != plan.should_stand() && value.fails != plan.should_fail()
+                                  ? ". The blocks stand at " + bracket_in_words(value.stands, value.fails, dimension) +
+                                        " and fail at " + bracket_in_words(value.fails, value.stands, dimension)
+                                  : "";
     switch (value.status) {
     case CriticalStatus::found:
         return {};
@@ -46,14 +50,10 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
         return "the blocks fail" + std::string(value.held_by_corners ? ", or are held by corners alone," : "") +
                " even at " + last + less;
     case CriticalStatus::undecided:
-        return "at " + last + " the blocks neither came to rest nor failed within settings.duration: raise it" +
-               (value.stands != plan.should_stand() && value.fails != plan.should_fail()
-                    ? ". They stand at " + bracket_in_words(value.stands, value.fails, dimension) + " and fail at " +
-                          bracket_in_words(value.fails, value.stands, dimension)
-                    : "");
+        return "at " + last + " the blocks neither came to rest nor failed within settings.duration: raise it" + known;
     case CriticalStatus::run_failed:
         return "the run at " + last +
-               " was stopped: an overlap passed settings.overlap_limit, or its energy did not balance";
+               " was stopped: an overlap passed settings.overlap_limit, or its energy did not balance" + known;
     case CriticalStatus::interrupted:
         return "the search ended in the run at " + last;
     case CriticalStatus::not_valid:
@@ -158,9 +158,12 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
     folder.write("paths.csv", csv.text());
     report.blocks.emplace_back(std::move(table));
     if (!critical.other.empty() && critical.worst_status() == CriticalStatus::found) {
+        const std::vector<double> values = critical.values();
         report.blocks.emplace_back(
-            Paragraph{"The paths spread by " + in_six_digits(critical.spread(), dimension) +
-                      ": none of them is wrong, so that this is error of the model, beside that of its inputs."});
+            Paragraph{"The paths spread by " + in_six_digits(values[values.size() - 2], dimension) +
+                      ": none of them is wrong, so that this is error of the model, beside that of its inputs. A fit "
+                      "adds their standard deviation, " +
+                      in_six_digits(values.back(), dimension) + ", to that of what was observed."});
     }
 }
 
@@ -201,8 +204,7 @@ std::string end_in_words(const RelaxationRun& made) {
     case RelaxationOutcome::collapse:
         return "Failed: " + area + " in ruins" + after + ".";
     case RelaxationOutcome::undecided:
-        return result.onset_time ? "Failed: " + area + " in motion" + after + "."
-                                 : "Not decided: the blocks neither came to rest nor failed" + after + ".";
+        return "Not decided: the blocks neither came to rest nor failed" + after + ".";
     case RelaxationOutcome::interrupted:
         return "Interrupted" + after + " of model time.";
     default:
@@ -336,19 +338,16 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
             "the blocks stand again at " + again + ", although they fail at " +
             in_six_digits(critical.fails, dimension) +
             ": whether blocks jam while they move depends on details such as rounding; the answer is "
-            "the mildest value at which they were found to fail");
+            "the least demanding value at which they were found to fail");
     }
     append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs), true);
     append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps), true);
-    for (std::size_t index = 0; index + 1 < plan.path.size(); ++index) {
-        append(names[index + 1].name, names[index + 1].meaning, dimension,
-               index < critical.other.size() ? value_or_status(critical.other[index]) : Cell("none"), false);
-    }
-    if (plan.path.size() > 1) {
-        const bool spreads =
-            critical.other.size() + 1 == plan.path.size() && critical.worst_status() == CriticalStatus::found;
-        append(names.back().name, names.back().meaning, dimension, spreads ? Cell(critical.spread()) : Cell("none"),
-               false);
+    const auto values = critical.worst_status() == CriticalStatus::found ? critical.values() : std::vector<double>();
+    for (std::size_t index = 1; index < names.size(); ++index) {
+        const Cell value = index - 1 < critical.other.size() ? value_or_status(critical.other[index - 1])
+                           : !values.empty()                 ? Cell(values[index])
+                                                             : Cell("none");
+        append(names[index].name, names[index].meaning, dimension, value, false);
     }
     if (other_path && !other_path->stands) {
         analysis.warnings.push_back("with all loads at once the blocks fail at " +

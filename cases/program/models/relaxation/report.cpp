@@ -32,14 +32,14 @@ std::string block_name(std::size_t index) {
 
 // Empty if the run ended as intended.
 std::string run_in_words(const RelaxationRun& made) {
+    if (made.unfinished()) {
+        return std::string(made.failed() ? "the blocks failed but did not come to rest within "
+                                         : "the blocks neither came to rest nor failed within ") +
+               (made.result.cost.steps >= made.settings.most_steps
+                    ? std::to_string(made.settings.most_steps) + " steps: raise settings.most_steps"
+                    : value_in_words(made.settings.duration, Dimension::time) + ": raise settings.duration");
+    }
     switch (made.result.outcome) {
-    case RelaxationOutcome::undecided:
-        return made.unfinished()
-                   ? "the blocks neither came to rest nor failed within " +
-                         (made.result.cost.steps >= made.settings.most_steps
-                              ? std::to_string(made.settings.most_steps) + " steps: raise settings.most_steps"
-                              : value_in_words(made.settings.duration, Dimension::time) + ": raise settings.duration")
-                   : "";
     case RelaxationOutcome::interrupted:
         return "the run ended at " + value_in_words(made.result.time, Dimension::time) + " of model time";
     case RelaxationOutcome::overlap_too_large: {
@@ -338,7 +338,7 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
             analysis.unfinished = std::move(why);
         }
     };
-    leave_unfinished(word_of(made.result.outcome), run_in_words(made));
+    leave_unfinished(made.unfinished() ? "undecided" : word_of(made.result.outcome), run_in_words(made));
     if (answer.critical) {
         append_critical(analysis, *answer.plan, *answer.critical, answer.other_path);
         if (answer.bound_of_statics) {

@@ -128,28 +128,28 @@ RelaxationStudy of_quality(RelaxationStudy study, RelaxationQuality quality) {
     return study;
 }
 
-std::vector<TradeSetting> trade_settings(const RelaxationStudy& study, const std::vector<TradeKnob>& knobs) {
-    std::vector<TradeSetting> settings = {own_setting(knobs)};
+std::vector<TradeSetting> trade_settings(const RelaxationStudy& study, const std::vector<TradeParameter>& parameters) {
+    std::vector<TradeSetting> settings = {own_setting(parameters)};
     for (std::size_t index = 0; index < enum_names(RelaxationQuality{}).size(); ++index) {
         const auto quality = static_cast<RelaxationQuality>(index);
         const RelaxationStudy preset = of_quality(study, quality);
         const RelaxationSettings numbers = relaxation_settings(preset);
-        add_setting(settings, knobs, std::string(enum_names(quality)[index]),
+        add_setting(settings, parameters, std::string(enum_names(quality)[index]),
                     {{step_fraction, numbers.step_fraction},
                      {stiffness_ratio, stiffness_ratio_of(preset)},
                      {equilibrium_ratio, numbers.equilibrium_ratio}});
     }
-    add_levels(settings, knobs);
+    add_levels(settings, parameters);
     for (const Corner& corner : corners()) {
-        add_setting(settings, knobs, "corner", corner);
+        add_setting(settings, parameters, "corner", corner);
     }
     return settings;
 }
 
-double value_of_knob(const std::vector<TradeKnob>& knobs, std::span<const double> values, std::string_view name,
-                     double absent) {
-    for (std::size_t index = 0; index < knobs.size(); ++index) {
-        if (knobs[index].name == name) {
+double value_of_parameter(const std::vector<TradeParameter>& parameters, std::span<const double> values,
+                          std::string_view name, double absent) {
+    for (std::size_t index = 0; index < parameters.size(); ++index) {
+        if (parameters[index].name == name) {
             return values[index];
         }
     }
@@ -176,9 +176,9 @@ TradeAnswer answer_at(const RelaxationStudy& study, const TradeWatch& watch) {
 
 }  // namespace
 
-std::vector<TradeKnob> trade_knobs(const RelaxationStudy& study) {
+std::vector<TradeParameter> trade_parameters(const RelaxationStudy& study) {
     const RelaxationSettings own = relaxation_settings(study);
-    std::vector<TradeKnob> knobs = {
+    std::vector<TradeParameter> parameters = {
         {std::string(step_fraction), {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, own.step_fraction, {}},
         {std::string(stiffness_ratio), {1e4, 1e5, 1e6, 1e7, 1e8}, stiffness_ratio_of(study), {}},
         {std::string(local_damping), {0, 0.1, 0.2, 0.3, 0.5, 0.8}, own.local_damping, {}},
@@ -189,17 +189,17 @@ std::vector<TradeKnob> trade_knobs(const RelaxationStudy& study) {
         {std::string(equilibrium_ratio), {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, own.equilibrium_ratio, {}},
         {std::string(onset_threshold), {1e-3, 3e-3, 0.01, 0.03, 0.1}, own_threshold(study), {}}};
     if (joints_give_stiffness(study)) {
-        knobs.erase(knobs.begin() + 1);
+        parameters.erase(parameters.begin() + 1);
     }
-    return knobs;
+    return parameters;
 }
 
-RelaxationStudy with_knobs(const RelaxationStudy& study, const std::vector<TradeKnob>& knobs,
-                           std::span<const double> values) {
+RelaxationStudy with_parameters(const RelaxationStudy& study, const std::vector<TradeParameter>& parameters,
+                                std::span<const double> values) {
     const RelaxationSettings own = relaxation_settings(study);
     RelaxationNumerics numerics = numerics_of(study);
     const auto number = [&](std::string_view name, double absent) {
-        return value_of_knob(knobs, values, name, absent);
+        return value_of_parameter(parameters, values, name, absent);
     };
     numerics.time_step.reset();
     numerics.step_fraction = number(step_fraction, own.step_fraction);
@@ -225,18 +225,18 @@ RelaxationStudy with_knobs(const RelaxationStudy& study, const std::vector<Trade
 
 TradeProblem trade_problem(const RelaxationStudy& study, std::optional<double> truth, int threads) {
     TradeProblem problem;
-    problem.knobs = trade_knobs(study);
-    problem.settings = trade_settings(study, problem.knobs);
-    problem.finest = add_setting(problem.settings, problem.knobs, "corner",
+    problem.parameters = trade_parameters(study);
+    problem.settings = trade_settings(study, problem.parameters);
+    problem.finest = add_setting(problem.settings, problem.parameters, "corner",
                                  {{stiffness_ratio, 1e8}, {step_fraction, 0.2}, {equilibrium_ratio, 1e-7}});
     problem.truth = truth;
-    problem.answer = [study, knobs = problem.knobs](std::span<const double> values, const TradeWatch& watch) {
-        return answer_at(with_knobs(study, knobs, values), watch);
+    problem.answer = [study, parameters = problem.parameters](std::span<const double> values, const TradeWatch& watch) {
+        return answer_at(with_parameters(study, parameters, values), watch);
     };
     // The critical time step is proportional to the square root of the stiffness.
-    problem.expected_cost = [knobs = problem.knobs](std::span<const double> values) {
-        return std::sqrt(value_of_knob(knobs, values, stiffness_ratio, 1)) /
-               value_of_knob(knobs, values, step_fraction, 1);
+    problem.expected_cost = [parameters = problem.parameters](std::span<const double> values) {
+        return std::sqrt(value_of_parameter(parameters, values, stiffness_ratio, 1)) /
+               value_of_parameter(parameters, values, step_fraction, 1);
     };
     problem.threads = threads;
     return problem;

@@ -13,11 +13,11 @@ namespace delabole {
 
 // Step fraction, stiffness ratio, local, viscous and kinetic damping, start, equilibrium ratio and threshold of onset.
 // The stiffness ratio is left out if joints of the case have a stiffness of their own.
-std::vector<TradeKnob> trade_knobs(const RelaxationStudy& study);
+std::vector<TradeParameter> trade_parameters(const RelaxationStudy& study);
 
 // The study with these values of its settings. A time step given by the case is replaced by the step fraction.
-RelaxationStudy with_knobs(const RelaxationStudy& study, const std::vector<TradeKnob>& knobs,
-                           std::span<const double> values);
+RelaxationStudy with_parameters(const RelaxationStudy& study, const std::vector<TradeParameter>& parameters,
+                                std::span<const double> values);
 
 // The search of `critical`, which the study must have, with each setting varied alone, combinations of settings, and
 // the three qualities.

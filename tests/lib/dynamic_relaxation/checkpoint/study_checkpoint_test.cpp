@@ -46,7 +46,7 @@ Answers answers_from(const RelaxationStudy& study, StudyProgress progress, Study
             made.history.size(),
             critical.stands,
             critical.fails,
-            critical.spread()};
+            critical.values().back()};
 }
 
 TEST(StudyCheckpoint, GoesOnFromAnyLookToTheLastBit) {

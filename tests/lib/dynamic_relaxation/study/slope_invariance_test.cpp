@@ -23,8 +23,9 @@ std::vector<std::uint32_t> seeds() {
         return all;
     }
     // Corners hold seed 43; seeds 74 and 89 fell where their edges had more vertices. A sliver at the toe of seed 102
-    // is a part of the rock in front.
-    return {3, 4, 7, 9, 18, 43, 71, 74, 89, 102};
+    // is a part of the rock in front. Where the joint of seed 88 is drawn on, a sliver is taken away at the toe: the
+    // tip above the gap held a factor of 0.83 instead of 0.47.
+    return {3, 4, 7, 9, 18, 43, 71, 74, 88, 89, 102};
 }
 
 TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
@@ -84,10 +85,14 @@ TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
 // Brackets of a search that begins at the same ratio are the same, or beside each other where rounding decides.
 TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
     constexpr std::size_t most_blocks = 60;  // a search takes a second then
+    // A corner on a corner counts if it carries a thousandth of a block's weight (corner_choice.hpp); statics counts
+    // none. Seed 71 drawn on stands 0.15 % above the bound.
+    constexpr double near_bound = 1.002;
     std::map<std::string, std::size_t> agree;
     std::size_t searched = 0;
     std::size_t found = 0;
     std::size_t unanswered = 0;
+    std::size_t without_bound = 0;  // the linear programme came to no end
     // A run of the search was stopped, by an overlap or its energy, or came to no end.
     const auto without_verdict = [](const CriticalAnswer& answer) {
         return answer.status == CriticalStatus::run_failed || answer.status == CriticalStatus::undecided;
@@ -104,7 +109,7 @@ TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
         ASSERT_TRUE(bound) << seed;
         ++searched;
         if (answer.status == CriticalStatus::found) {
-            EXPECT_LE(answer.stands, *bound) << seed;
+            EXPECT_LE(answer.stands, *bound * near_bound) << seed;
             ++found;
         }
         const std::vector<std::pair<std::string, RelaxationStudy>> redrawn{
@@ -114,8 +119,14 @@ TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
             {"cuts in reverse", testing::with_cuts_reversed(study)}};
         for (const auto& [name, other] : redrawn) {
             const CriticalAnswer again = find_critical(other);
+            if (again.status == CriticalStatus::found) {
+                const std::optional<double> of_other = greatest_strength_reduction(testing::drawn(other).scene);
+                without_bound += of_other ? 0 : 1;
+                EXPECT_LE(again.stands, of_other.value_or(*bound) * near_bound) << seed << ", " << name;
+            }
             if (without_verdict(again) || without_verdict(answer)) {
                 ++unanswered;
+                std::cout << seed << ", " << name << ": no verdict\n";
                 continue;
             }
             EXPECT_EQ(again.status, answer.status) << seed << ", " << name;
@@ -129,6 +140,7 @@ TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
     }
     EXPECT_GT(found, 0U);
     EXPECT_LE(unanswered, searched / 4);  // of four times as many
+    EXPECT_LE(without_bound, searched / 25);
     std::cout << searched << " searches, " << found << " with a factor; " << unanswered
               << " redrawn without a verdict\n";
     for (const auto& [name, count] : agree) {

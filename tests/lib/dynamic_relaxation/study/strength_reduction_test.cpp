@@ -193,7 +193,6 @@ TEST(LoadingPaths, OfOneBlockAllButTheSuddenOneAgree) {
         EXPECT_LT(other.value(), expected + half_bracket) << word_of(other.path);
         EXPECT_GT(other.value(), expected - less) << word_of(other.path);
     }
-    EXPECT_GE(critical.spread(), 0);
     const std::vector<Quantity> outputs = outputs_of_run(study);
     for (const char* name : {"factor_of_safety", "factor_of_safety_preloaded", "factor_of_safety_gravity",
                              "factor_of_safety_sudden", "factor_of_safety_spread"}) {
@@ -203,8 +202,22 @@ TEST(LoadingPaths, OfOneBlockAllButTheSuddenOneAgree) {
     const Prediction prediction = model_interface(study).predict({});
     const ModelInterface model = model_interface(study);
     ASSERT_EQ(prediction.outputs.size(), model.outputs.size());
-    EXPECT_EQ(prediction.outputs[*place_of(model.outputs, "factor_of_safety")], critical.value());
-    EXPECT_EQ(prediction.outputs[*place_of(model.outputs, "factor_of_safety_spread")], critical.spread());
+    const auto output = [&](std::string_view name) { return prediction.outputs[*place_of(model.outputs, name)]; };
+    EXPECT_EQ(output("factor_of_safety"), critical.value());
+    EXPECT_EQ(output("factor_of_safety_spread"), critical.values()[4]);
+    EXPECT_EQ(output("path_deviation.factor_of_safety"), critical.values()[5]);
+}
+
+TEST(LoadingPaths, SpreadAndDeviateAsTheirValuesSay) {
+    CriticalAnswer answer;
+    answer.stands = answer.fails = 1;
+    EXPECT_EQ(answer.values(), std::vector<double>{1});
+    answer.other.resize(2);
+    answer.other[0].stands = answer.other[0].fails = 2;
+    answer.other[1].stands = answer.other[1].fails = 4;
+    const std::vector<double> values = answer.values();
+    EXPECT_EQ((std::vector<double>{values.begin(), values.begin() + 4}), (std::vector<double>{1, 2, 4, 3}));
+    EXPECT_NEAR(values[4], std::sqrt(7 / 3.0), 1e-15);
 }
 
 TEST(LoadingPaths, StagesAreOnePathAndWhatTheyTakeAwayIsMissingOnOthers) {
