@@ -28,8 +28,8 @@ struct MisfitParts {
 };
 
 // (predicted - observed) / standard deviation of each datum. Profile samples are weighted so that their squares add up
-// to the profile's part of the misfit. An equality with the mean of an ensemble is followed by a second residual, the
-// cost of the ensemble's scatter.
+// to the profile's part of the misfit. An equality with a prediction that scatters between slopes or loading paths is
+// followed by a second residual, the cost of that scatter.
 struct Residuals {
     std::vector<double> values;
     std::vector<bool> idle;       // true for a satisfied inequality, which adds nothing to the misfit
@@ -48,7 +48,7 @@ struct Datum {
     bool operator==(const Datum&) const = default;
 };
 
-// The residual of a cost. If the real slope is one of an ensemble that scatters about the prediction, the normal
+// The residual of a cost. If the real slope is one of several that scatter about the prediction, the normal
 // density of the observation is lower by the factor below than without scatter. The factor is written as a square like
 // all other residuals:
 //     exp(-cost^2 / 2) = (standard deviation / hypot(standard deviation, scatter))^share.

@@ -36,8 +36,8 @@ inline const Quantity* find_quantity(const std::vector<Quantity>& quantities, st
 }
 
 // If an output has a partner whose name has one of these prefixes, it stands for several cases of which the real slope
-// is one, and the partner is their standard deviation: slopes of an ensemble, which differ by chance alone (the output
-// is their mean), or loading paths. The profile has a deviation between slopes in the same way.
+// is one, and the partner is their standard deviation from it: slopes of an ensemble, which differ by chance alone and
+// of which it is the mean, or loading paths. The profile has a deviation between slopes in the same way.
 inline constexpr std::string_view deviation_prefix = "ensemble_deviation.";
 inline constexpr std::string_view path_deviation_prefix = "path_deviation.";
 inline constexpr std::string_view deviation_of_profile = "ensemble_deviation.profile";

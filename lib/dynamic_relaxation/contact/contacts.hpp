@@ -40,8 +40,8 @@ struct alignas(8 * sizeof(double)) EdgeEndsOf {
     // the corner could also bear. 2 or -2: an edge of the corner's block, on which that end could bear. 0: no rival.
     Number rival;
     // If there is a rival: sine of the interior angle between the two edges in the initial geometry. If there is none
-    // and a tip stands on a bend, bearing on this edge alone: sine of the bend, negative at the edge's end. Otherwise
-    // 0.
+    // and a tip stands on a bend, bearing on this edge alone, or a corner on an edge from which its face gapes: sine of
+    // that angle, negative at the edge's end. Otherwise 0.
     Number rival_sine;
     Number rival_cosine;
     // 1 if only one of the two may bear at a time; 2 if, moreover, no other edge of the block may bear at that end, and

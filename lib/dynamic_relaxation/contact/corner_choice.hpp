@@ -32,7 +32,8 @@
 // Edges whose normals differ by less than 20 deg count as one face that lies on a face of the other block: their
 // weights add up to one at the corner, and both bear. A block that is free to give way to either side of such a corner
 // is held there by friction angles above half that difference; so a tip on it counts as a corner on a corner where it
-// is asked whether faces alone hold the blocks. Of the 2^n choices at n corners only two are tried.
+// is asked whether faces alone hold the blocks; so does a corner at the end of an edge from which its face gapes. Of
+// the 2^n choices at n corners only two are tried.
 //
 // The tips of thin wedges meet where several joints come out in one point. A tip whose faces dip into the block below
 // an edge in the initial geometry lies on the other side of that block. It does not bear on this edge, on which it
@@ -68,7 +69,7 @@ namespace delabole {
 
 // cosine; of two edges whose normals differ by more, only one bears
 constexpr double one_face = 0.937;
-constexpr double straight = 0.02;  // sine of the bend up to which two edges are one face to statics, too
+constexpr double least_bend = 0.02;  // sine; edges that bend, or faces that gape, by less are one face to statics, too
 
 struct CornerMotion {
     const Bodies& bodies;

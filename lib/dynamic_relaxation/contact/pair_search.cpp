@@ -263,23 +263,23 @@ void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const 
     if (farther || !can_bear(other, end, block, face)) {
         return;
     }
+    const double sense = at_start ? 1 : -1;
+    const PlanePoint<> one = sense * along_of(other.begin + edge);
+    const PlanePoint<> two = -sense * along_of(block.begin + face);
+    const double sine = sense * (two.x() * one.y() - two.y() * one.x());
     if (cosine > one_face) {
         // Edge and face lie on each other as one face, so that the edge beyond the end is not a rival. Where a sliver
         // was taken away between them, they gape, and a corner at the end bears like a tip on a bend.
         if (law.alone > 0) {
             law.rival = law.rival_sine = law.rival_cosine = law.alone = 0;
         }
-        const double gape = std::abs(inward.x() * along_face.y() - inward.y() * along_face.x());
-        if (law.rival == 0 && gape > straight) {
-            law.rival_sine = at_start ? gape : -gape;
+        if (law.rival == 0 && std::abs(sine) > least_bend) {
+            law.rival_sine = sense * std::abs(sine);
         }
         return;
     }
-    const double sense = at_start ? 1 : -1;
-    const PlanePoint<> one = sense * along_of(other.begin + edge);
-    const PlanePoint<> two = -sense * along_of(block.begin + face);
     law.rival = 2 * sense;
-    law.rival_sine = sense * (two.x() * one.y() - two.y() * one.x());
+    law.rival_sine = sine;
     law.rival_cosine = -two.dot(one);
     law.alone = law.alone > 0 ? 1 : 2;
 }

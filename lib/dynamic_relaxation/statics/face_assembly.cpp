@@ -100,7 +100,7 @@ void add_face(std::size_t block, std::size_t other, const PlanePoint<>& middle, 
 // Whether a corner bears on its edge and not on a corner of it.
 bool is_on_edge(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact,
                 const ContactPosition& at) {
-    return !is_on_corner(bodies, law, contact, at) || (law.alone == 0 && std::abs(law.rival_sine) < straight);
+    return !is_on_corner(bodies, law, contact, at) || (law.alone == 0 && std::abs(law.rival_sine) < least_bend);
 }
 
 // Half the length of a face in place of a point, since the linear programme requires a length.
@@ -118,7 +118,7 @@ void add_tips(const BlocksUnderLoad& blocks, std::size_t block, std::size_t othe
     const auto goes_on = [&](std::size_t edge, std::size_t beyond) {
         const PlanePoint<>& one = bodies.along[edge];
         const PlanePoint<>& two = bodies.along[beyond];
-        return one.dot(two) > 0 && std::abs(one.x() * two.y() - one.y() * two.x()) < straight;
+        return one.dot(two) > 0 && std::abs(one.x() * two.y() - one.y() * two.x()) < least_bend;
     };
     for (std::size_t edge = bodies.range[other].begin; edge < bodies.range[other].end; ++edge) {
         const PlanePoint<> start = bodies.centroid[other] + bodies.corner[edge];

@@ -98,7 +98,7 @@ class Simulation {
     bool holds_at_rest() const;
     std::vector<double> weights() const;  // N/m, of each block; infinite where it is held
     bool held_by_corners();
-    bool moves_without_corners();
+    bool moves_without_corners(bool forces_exist);
     bool carried_along();
     void let_blocks_rest();
     void take_velocities_away_at_peaks();

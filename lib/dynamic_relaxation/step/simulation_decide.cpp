@@ -122,8 +122,8 @@ bool Simulation::try_corners() {
 // blocks that would move. After onset only touching contacts count; before it, the faces of the initial geometry do,
 // because a minute rotation opens one end of them or the other. Forces of faces that suffice are no proof, because
 // friction does not dilate as the linear programme supposes: the blocks have to stay when the corners give way, too.
-// Cases that the programme cannot solve are left to that trial, and a belt, whose resistance changes direction with the
-// motion, counts as held by the faces.
+// Cases that the programme cannot solve are left to that trial, or held by corners if none gives way in it; and a belt,
+// whose resistance changes direction with the motion, counts as held by the faces.
 bool Simulation::held_by_corners() {
     if (settings_.corners_bear || scene_.belt || without_corners_ ||
         !relies_on_corners({bodies_, state_.motion}, weights(), state_.contacts)) {
@@ -142,7 +142,7 @@ bool Simulation::held_by_corners() {
     add_corners_on_edges(blocks, state_.contacts, made);
     const LeastImbalance found = least_imbalance(made.assembly);
     if (found.status != LpStatus::optimal || found.stands()) {
-        return moves_without_corners();
+        return moves_without_corners(found.status == LpStatus::optimal);
     }
     constexpr double moves = 1e-3;  // of the greatest displacement
     state_.held_by_corners.assign(bodies_.size(), 0);
@@ -159,7 +159,7 @@ bool Simulation::held_by_corners() {
 // Whether blocks move on when every corner that bears on a corner gives way, and those that bear next, too; records
 // the blocks that do. A trial that comes to no end within its limits is inconclusive unless a block has moved a tenth
 // of the thresholds of onset.
-bool Simulation::moves_without_corners() {
+bool Simulation::moves_without_corners(bool forces_exist) {
     constexpr int most_rounds = 8;
     constexpr std::uint64_t most_contacts = 50'000'000;  // evaluated in a round: a second or two
     constexpr double well_on_their_way = 0.1;            // of the thresholds of onset
@@ -170,7 +170,7 @@ bool Simulation::moves_without_corners() {
     ConsolidatedState from{state_};
     for (int round = 0; round < most_rounds; ++round) {
         if (!give_way_at_corners({bodies_, from.at_rest.motion}, weights(), from.at_rest.contacts)) {
-            return false;
+            return round == 0 && !forces_exist;
         }
         Simulation trial(scene_, settings, from);
         trial.without_corners_ = true;

@@ -3,7 +3,7 @@
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"
 
-#include <gsl/gsl_statistics_double.h>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -346,10 +346,9 @@ std::vector<Quantity> outputs_of_search(const CriticalPlan& plan) {
         outputs.push_back({std::string(name + '_').append(path), dimension, "likewise, on the path " + path});
     }
     if (plan.path.size() > 1) {
-        outputs.push_back(
-            {name + "_spread", dimension, "greatest less least value over the paths: error of the model"});
+        outputs.push_back({name + "_spread", dimension, "greatest less least value over paths: error of the model"});
         outputs.push_back({std::string(path_deviation_prefix) + name, dimension,
-                           "standard deviation of the values over the paths, which a fit adds to that of the data"});
+                           "root mean square difference of the other paths from the first, which fits count"});
     }
     return outputs;
 }
@@ -358,9 +357,10 @@ std::vector<double> CriticalAnswer::values() const {
     std::vector<double> found{value()};
     std::ranges::transform(other, std::back_inserter(found), [](const PathValue& one) { return one.value(); });
     if (!other.empty()) {
-        const auto [least, greatest] = std::ranges::minmax(found);
-        found.push_back(greatest - least);
-        found.push_back(gsl_stats_sd(found.data(), 1, found.size() - 1));
+        const Eigen::Map<const Eigen::ArrayXd> all(found.data(), static_cast<Eigen::Index>(found.size()));
+        const double spread = all.maxCoeff() - all.minCoeff();
+        const double deviation = (all - value()).matrix().norm() / std::sqrt(static_cast<double>(other.size()));
+        found.insert(found.end(), {spread, deviation});
     }
     return found;
 }

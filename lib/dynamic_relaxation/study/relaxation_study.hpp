@@ -86,10 +86,9 @@ struct RelaxationNumerics {
                       number<&N::collapse_rotation>(Dimension::angle, more_than(0), "more is collapse")),
             absent_is(standard.collapse_displacement,
                       number<&N::collapse_displacement>(more_than(0), "in block radii, likewise")),
-            section<&N::stop>(
-                "what ends the run: equilibrium or a collapse; onset, equilibrium or a collapse; a collapse "
-                "alone; the duration, without a lack of a verdict; or rest, of collapsed blocks, too; "
-                "absent: equilibrium"),
+            section<&N::stop>("what ends the run: equilibrium or a collapse; onset, equilibrium or a collapse; a "
+                              "collapse alone; the duration, whether or not there is a verdict; or rest, where "
+                              "collapsed blocks, too, lie still; absent: equilibrium"),
             absent_is(standard.duration, number<&N::duration>(Dimension::time, more_than(0), "longest model time")),
             number<&N::watch>(Dimension::time, more_than(0),
                               "model time for which motion is followed whatever comes of it, past equilibrium, onset "
@@ -256,7 +255,7 @@ struct RelaxationRun {
         const bool to_rest = settings.stop_at_equilibrium && !settings.stop_at_collapse;
         return result.outcome == RelaxationOutcome::undecided
                    ? !ends_with_duration || out_of_steps
-                   : to_rest && failed() && (out_of_steps || result.time >= settings.duration);
+                   : to_rest && failed() && (out_of_steps || result.time + result.cost.step >= settings.duration);
     }
 };
 
@@ -319,7 +318,7 @@ std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const Crit
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);
 
 // Names of the outputs of a search: the critical value and, if there are several paths, that on each of the others
-// ("factor_of_safety_gravity"), the spread ("factor_of_safety_spread") and the standard deviation between the paths
+// ("factor_of_safety_gravity"), the spread ("factor_of_safety_spread") and the deviation of the others from the first
 // (path_deviation_prefix).
 std::vector<Quantity> outputs_of_search(const CriticalPlan& plan);
 

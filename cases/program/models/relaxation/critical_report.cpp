@@ -37,10 +37,11 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     const std::string last = value_in_words(value.last, dimension);
     const std::string more = plan.stands_low() ? ": raise critical.upper" : ": lower critical.lower";
     const std::string less = plan.stands_low() ? ": lower critical.lower" : ": raise critical.upper";
-    const std::string known = value.stands != plan.should_stand() && value.fails != plan.should_fail()
-                                  ? ". The blocks stand at " + bracket_in_words(value.stands, value.fails, dimension) +
-                                        " and fail at " + bracket_in_words(value.fails, value.stands, dimension)
-                                  : "";
+    const std::string known =
+        value.stands != value.fails && value.stands != plan.should_stand() && value.fails != plan.should_fail()
+            ? ". The blocks stand at " + bracket_in_words(value.stands, value.fails, dimension) + " and fail at " +
+                  bracket_in_words(value.fails, value.stands, dimension)
+            : "";
     switch (value.status) {
     case CriticalStatus::found:
         return {};
@@ -159,11 +160,11 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
     report.blocks.emplace_back(std::move(table));
     if (!critical.other.empty() && critical.worst_status() == CriticalStatus::found) {
         const std::vector<double> values = critical.values();
-        report.blocks.emplace_back(
-            Paragraph{"The paths spread by " + in_six_digits(values[values.size() - 2], dimension) +
-                      ": none of them is wrong, so that this is error of the model, beside that of its inputs. A fit "
-                      "adds their standard deviation, " +
-                      in_six_digits(values.back(), dimension) + ", to that of what was observed."});
+        report.blocks.emplace_back(Paragraph{
+            "The paths spread by " + in_six_digits(values[values.size() - 2], dimension) +
+            ": none of them is wrong, so that this is error of the model, beside that of its inputs. A fit adds "
+            "the deviation of the others from the first, " +
+            in_six_digits(values.back(), dimension) + ", in quadrature to that of what was observed."});
     }
 }
 
@@ -243,8 +244,6 @@ AnswerTone tone_of(const RelaxationRun& made) {
     case RelaxationOutcome::onset:
     case RelaxationOutcome::collapse:
         return AnswerTone::bad;
-    case RelaxationOutcome::undecided:
-        return made.result.onset_time ? AnswerTone::bad : AnswerTone::open;
     default:
         return AnswerTone::open;
     }

@@ -338,7 +338,8 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
             analysis.unfinished = std::move(why);
         }
     };
-    leave_unfinished(made.unfinished() ? "undecided" : word_of(made.result.outcome), run_in_words(made));
+    leave_unfinished(word_of(made.unfinished() ? RelaxationOutcome::undecided : made.result.outcome),
+                     run_in_words(made));
     if (answer.critical) {
         append_critical(analysis, *answer.plan, *answer.critical, answer.other_path);
         if (answer.bound_of_statics) {

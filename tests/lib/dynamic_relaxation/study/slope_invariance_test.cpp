@@ -85,8 +85,8 @@ TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
 // Brackets of a search that begins at the same ratio are the same, or beside each other where rounding decides.
 TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
     constexpr std::size_t most_blocks = 60;  // a search takes a second then
-    // A corner on a corner counts if it carries a thousandth of a block's weight (corner_choice.hpp); statics counts
-    // none. Seed 71 drawn on stands 0.15 % above the bound.
+    // Corners on corners that carry less than a thousandth of a block's weight are let pass (corner_choice.hpp); the
+    // bound of statics allows none. Seed 71 drawn on stands 0.15 % above the bound.
     constexpr double near_bound = 1.002;
     std::map<std::string, std::size_t> agree;
     std::size_t searched = 0;
