@@ -27,12 +27,11 @@ enum class CriticalStatus {
 
 struct CriticalValue {
     CriticalStatus status = CriticalStatus::found;
-    double stands = 0;  // nearest value at which the blocks are known to stand
-    double fails = 0;   // nearest value at which they are known to fail
-    std::optional<double>
-        stands_again;              // value at which the blocks stand although they fail at `fails`, which demands less
-    bool held_by_corners = false;  // at `fails`: the blocks rest, but on corners alone
-    double last = 0;               // value of the last run: if no value was found, the one that ended the search
+    double stands = 0;                   // nearest value at which the blocks are known to stand
+    double fails = 0;                    // nearest value at which they are known to fail
+    std::optional<double> stands_again;  // more demanding value than `fails`, at which the blocks stand
+    bool held_by_corners = false;        // at `fails`: the blocks rest, but on corners alone
+    double last = 0;                     // value of the last run: if no value was found, the one that ended the search
     std::uint64_t runs = 0;
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;

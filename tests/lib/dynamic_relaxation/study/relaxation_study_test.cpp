@@ -291,7 +291,7 @@ TEST(RelaxationStudy, VerdictsAreRightUnderEveryStop) {
         EXPECT_EQ(topples.result.outcome,
                   stop == RelaxationStop::onset ? RelaxationOutcome::onset : RelaxationOutcome::collapse)
             << word_of(stop);
-        // In 5 s they do not come to rest.
+        // The columns are still falling when the run ends after 5 s.
         EXPECT_EQ(topples.unfinished(), stop == RelaxationStop::rest) << word_of(stop);
         EXPECT_EQ(model_interface(columns).predict({}).failure, stop == RelaxationStop::rest ? "undecided" : "");
     }
