@@ -110,9 +110,8 @@ void add_parts(CLI::App& command, Options& options, unsigned parts) {
             .add_option(
                 "--runs", options.runs,
                 "Folder with tables of earlier runs of costly models, <mechanism>_predictions.csv. The runs that they "
-                "list are "
-                "not made again, even if another version made them; a table of all runs that the study used is left in "
-                "the result folder")
+                "list are not made again, even if another version made them; a table of all runs that the study used "
+                "is left in the result folder")
             ->type_name("DIR");
     }
 }
