@@ -1,5 +1,6 @@
 // Searches for a critical value: the scene at each value, and the loading path to it.
 #include "dynamic_relaxation/step/scene_check.hpp"
+#include "dynamic_relaxation/study/strength_bound.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"
 
@@ -54,6 +55,17 @@ std::vector<LoadingPath> paths_of(const RelaxationStudy& study, LoadingPath firs
 // Whether a run that ended shows that the blocks do not stand.
 bool shows_failure(RelaxationOutcome outcome) {
     return is_failure(outcome) || outcome == RelaxationOutcome::held_by_corners;
+}
+
+// Whether a run leaves open if the blocks stand as drawn: it has no verdict, or it came to rest after motion by which
+// blocks may have jammed.
+bool leaves_open(RelaxationOutcome outcome, const RelaxationScene& scene, const RelaxationState& since_start) {
+    if (outcome == RelaxationOutcome::equilibrium) {
+        const MotionExtremes farthest = farthest_motion(make_bodies(scene), since_start);
+        return std::max(farthest.rotation, farthest.displacement) > 0.01;
+    }
+    return outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
+           outcome == RelaxationOutcome::energy_not_balanced;
 }
 
 class PathSearch {
@@ -220,12 +232,20 @@ class PathSearch {
         }
         const bool balanced =
             result.start_balance && result.start_balance->unbalanced_ratio <= settings_.equilibrium_ratio;
-        progress_.probe.push_back({simulation.outcome(), cost.steps, cost.contacts_evaluated, !balanced});
-        if (shows_failure(simulation.outcome())) {
-            progress_.failed = simulation.state();
-        } else if (simulation.outcome() == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
+        RelaxationOutcome outcome = simulation.outcome();
+        RelaxationState state = simulation.state();
+        const std::vector<Motion> origin = std::exchange(state.origin, std::vector<Motion>(state.motion.size()));
+        if (!settings_.corners_bear && leaves_open(outcome, scene, state) && lacks_forces(scene)) {
+            outcome = RelaxationOutcome::onset;
+        } else {
+            state.origin = origin;
+        }
+        progress_.probe.push_back({outcome, cost.steps, cost.contacts_evaluated, !balanced});
+        if (shows_failure(outcome)) {
+            progress_.failed = std::move(state);
+        } else if (outcome == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
                    begin == Begin::at_start) {
-            progress_.consolidated = simulation.state();
+            progress_.consolidated = std::move(state);
         }
         return progress_.probe.back();
     }

@@ -4,9 +4,11 @@
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
 #include "dynamic_relaxation/statics/face_assembly.hpp"
 #include "dynamic_relaxation/step/loads.hpp"
+#include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "limit_equilibrium/bound/lp_bound.hpp"
 
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -74,6 +76,18 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
     default:
         return std::nullopt;
     }
+}
+
+bool lacks_forces(const RelaxationScene& scene) {
+    if (!is_static(scene)) {
+        return false;
+    }
+    const Bodies bodies = make_bodies(scene);
+    const std::vector<SharedFace> faces = find_shared_faces(bodies);
+    std::vector<std::size_t> all(scene.material.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return stands(assembly_of(scene, bodies, faces, true)) == false &&
+           stands(assembly_of(with_reduced_strength(scene, all, 1e-3), bodies, faces, true)) == true;
 }
 
 std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const Bodies& bodies,

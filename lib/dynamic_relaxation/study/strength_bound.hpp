@@ -26,6 +26,11 @@ namespace delabole {
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
                                                   const std::atomic<bool>* stop = nullptr);
 
+// Whether no such forces exist at the scene's strength, though they would at a thousand times that: blocks that touch
+// nothing at first are held at no strength, and may well come to rest on what they meet. False where there is no
+// answer.
+bool lacks_forces(const RelaxationScene& scene);
+
 // The blocks that have lost a neighbour among those `gone` and that the others could not hold even if they were fixed
 // (the removable blocks of Goodman & Shi 1985, with friction and water). Further blocks may lose their support with
 // them: call again with these gone as well.

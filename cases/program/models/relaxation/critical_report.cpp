@@ -78,13 +78,15 @@ Cell value_or_none(const std::optional<double>& value) {
 std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) {
     const Dimension dimension = dimension_of(plan.parameter);
     const RelaxationRun& failed = *value.failed;
-    const double at = value.status == CriticalStatus::found ? value.fails : value.last;
-    const std::string on_path =
-        plan.path.size() > 1 ? "On the path " + std::string(word_of(value.path)) + ": at " : "At ";
     const bool found = value.status == CriticalStatus::found;
+    const double at = found ? value.fails : value.last;
+    const std::string path(word_of(value.path));
+    const std::string on_path = plan.path.size() > 1 ? "On the path " + path + ": at " : "At ";
     std::string text = on_path + bracket_in_words(at, found ? value.stands : at, dimension);
     if (value.held_by_corners) {
         text += " the blocks rest, but faces cannot take forces in equilibrium: corners on corners hold what is marked";
+    } else if (!is_failure(failed.result.outcome)) {
+        text += " no forces on their faces hold the blocks as drawn: they move on, or until they jam";
     } else if (failed.result.start_balance) {
         const double ratio = failed.result.start_balance->unbalanced_ratio;
         const bool balanced = ratio <= failed.settings.equilibrium_ratio;
@@ -94,7 +96,7 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
     } else {
         text += ", with springs loaded at once";
     }
-    text += value.held_by_corners
+    text += !is_failure(failed.result.outcome)
                 ? "."
                 : "; in the run blocks passed the thresholds of onset, a rotation of " +
                       value_in_words(failed.settings.onset_rotation, Dimension::angle) + " or a displacement of " +

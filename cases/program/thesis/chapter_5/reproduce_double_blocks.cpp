@@ -4,7 +4,6 @@
 #include "parameters/fields.hpp"
 #include "plots/drawing/text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>

@@ -24,8 +24,9 @@ std::vector<std::uint32_t> seeds() {
     }
     // Corners hold seed 43; seeds 74 and 89 fell where their edges had more vertices. A sliver at the toe of seed 102
     // is a part of the rock in front. Where the joint of seed 88 is drawn on, a sliver is taken away at the toe: the
-    // tip above the gap held a factor of 0.83 instead of 0.47.
-    return {3, 4, 7, 9, 18, 43, 71, 74, 88, 89, 102};
+    // tip above the gap held a factor of 0.83 instead of 0.47; where that of seed 23 is, a block slid into the gap and
+    // stood up to 4.45 instead of 0.76. A run of seed 28 has no verdict.
+    return {3, 4, 7, 9, 18, 23, 28, 43, 71, 74, 88, 89, 102};
 }
 
 TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
@@ -91,12 +92,7 @@ TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
     std::map<std::string, std::size_t> agree;
     std::size_t searched = 0;
     std::size_t found = 0;
-    std::size_t unanswered = 0;
     std::size_t without_bound = 0;  // the linear programme came to no end
-    // A run of the search was stopped, by an overlap or its energy, or came to no end.
-    const auto without_verdict = [](const CriticalAnswer& answer) {
-        return answer.status == CriticalStatus::run_failed || answer.status == CriticalStatus::undecided;
-    };
     for (const std::uint32_t seed : seeds()) {
         RelaxationStudy study = testing::random_slope(seed);
         const RelaxationScene scene = testing::drawn(study).scene;
@@ -108,6 +104,9 @@ TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
         const std::optional<double> bound = greatest_strength_reduction(scene);
         ASSERT_TRUE(bound) << seed;
         ++searched;
+        // A run that was stopped, by an overlap or its energy, or came to no end must not leave the search unanswered.
+        EXPECT_NE(answer.status, CriticalStatus::run_failed) << seed;
+        EXPECT_NE(answer.status, CriticalStatus::undecided) << seed;
         if (answer.status == CriticalStatus::found) {
             EXPECT_LE(answer.stands, *bound * near_bound) << seed;
             ++found;
@@ -124,11 +123,6 @@ TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
                 without_bound += of_other ? 0 : 1;
                 EXPECT_LE(again.stands, of_other.value_or(*bound) * near_bound) << seed << ", " << name;
             }
-            if (without_verdict(again) || without_verdict(answer)) {
-                ++unanswered;
-                std::cout << seed << ", " << name << ": no verdict\n";
-                continue;
-            }
             EXPECT_EQ(again.status, answer.status) << seed << ", " << name;
             const bool weaker = name == "lines drawn on" && again.stands <= answer.fails;
             const bool alike = answer.status != CriticalStatus::found || weaker ||
@@ -139,10 +133,8 @@ TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
         }
     }
     EXPECT_GT(found, 0U);
-    EXPECT_LE(unanswered, searched / 4);  // of four times as many
     EXPECT_LE(without_bound, searched / 25);
-    std::cout << searched << " searches, " << found << " with a factor; " << unanswered
-              << " redrawn without a verdict\n";
+    std::cout << searched << " searches, " << found << " with a factor\n";
     for (const auto& [name, count] : agree) {
         std::cout << name << ": " << count << " of " << searched << '\n';
     }
