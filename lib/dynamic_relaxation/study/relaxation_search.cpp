@@ -57,8 +57,8 @@ bool shows_failure(RelaxationOutcome outcome) {
     return is_failure(outcome) || outcome == RelaxationOutcome::held_by_corners;
 }
 
-// Whether a run leaves open if the blocks stand as drawn: it has no verdict, or it came to rest after motion by which
-// blocks may have jammed.
+// Whether a run leaves open if the blocks stand in the initial geometry: it has no verdict, or the blocks came to rest
+// after motion by which they may have jammed.
 bool leaves_open(RelaxationOutcome outcome, const RelaxationScene& scene, const RelaxationState& since_start) {
     if (outcome == RelaxationOutcome::equilibrium) {
         const MotionExtremes farthest = farthest_motion(make_bodies(scene), since_start);
