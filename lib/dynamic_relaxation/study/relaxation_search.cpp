@@ -57,12 +57,18 @@ bool shows_failure(RelaxationOutcome outcome) {
     return is_failure(outcome) || outcome == RelaxationOutcome::held_by_corners;
 }
 
+// The state with displacements since the initial geometry instead of since the static solve at the start.
+RelaxationState since_initial_geometry(RelaxationState state) {
+    state.origin.assign(state.motion.size(), {});
+    return state;
+}
+
 // Whether a run leaves open if the blocks stand in the initial geometry: it has no verdict, or the blocks came to rest
 // after motion by which they may have jammed.
-bool leaves_open(RelaxationOutcome outcome, const RelaxationScene& scene, const RelaxationState& since_start) {
+bool leaves_open(RelaxationOutcome outcome, const RelaxationScene& scene, const RelaxationState& state) {
     if (outcome == RelaxationOutcome::equilibrium) {
-        const MotionExtremes farthest = farthest_motion(make_bodies(scene), since_start);
-        return std::max(farthest.rotation, farthest.displacement) > 0.01;
+        const MotionExtremes farthest = farthest_motion(make_bodies(scene), since_initial_geometry(state));
+        return std::max(farthest.rotation, farthest.displacement) > 0.01;  // rad, or of a radius
     }
     return outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
            outcome == RelaxationOutcome::energy_not_balanced;
@@ -232,20 +238,15 @@ class PathSearch {
         }
         const bool balanced =
             result.start_balance && result.start_balance->unbalanced_ratio <= settings_.equilibrium_ratio;
-        RelaxationOutcome outcome = simulation.outcome();
-        RelaxationState state = simulation.state();
-        const std::vector<Motion> origin = std::exchange(state.origin, std::vector<Motion>(state.motion.size()));
-        if (!settings_.corners_bear && leaves_open(outcome, scene, state) && lacks_forces(scene)) {
-            outcome = RelaxationOutcome::onset;
-        } else {
-            state.origin = origin;
-        }
+        const bool cannot_stand = !settings_.corners_bear &&
+                                  leaves_open(simulation.outcome(), scene, simulation.state()) && lacks_forces(scene);
+        const RelaxationOutcome outcome = cannot_stand ? RelaxationOutcome::onset : simulation.outcome();
         progress_.probe.push_back({outcome, cost.steps, cost.contacts_evaluated, !balanced});
         if (shows_failure(outcome)) {
-            progress_.failed = std::move(state);
+            progress_.failed = cannot_stand ? since_initial_geometry(simulation.state()) : simulation.state();
         } else if (outcome == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
                    begin == Begin::at_start) {
-            progress_.consolidated = std::move(state);
+            progress_.consolidated = simulation.state();
         }
         return progress_.probe.back();
     }
