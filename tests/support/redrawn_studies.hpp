@@ -8,7 +8,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <tuple>
 #include <utility>
@@ -106,6 +108,38 @@ inline RelaxationStudy polygons_turned(RelaxationStudy study, double angle) {
 
 inline RelaxationStudy polygons_moved_away(RelaxationStudy study, double by) {
     move_vertices(study, [&](double x, double y) { return std::pair(x + by, y - by); });
+    return study;
+}
+
+// Stresses are proportional to lengths, forces per metre run to their squares and times to their roots; the stiffness
+// of a contact is proportional to lengths, so that overlaps are too.
+inline RelaxationStudy polygons_scaled(RelaxationStudy study, double by) {
+    move_vertices(study, [&](double x, double y) { return std::pair(by * x, by * y); });
+    const auto scale = [&](std::initializer_list<std::optional<double>*> values) {
+        for (std::optional<double>* value : values) {
+            if (*value) {
+                **value *= by;
+            }
+        }
+    };
+    for (RelaxationJoint& joint : polygons_of(study).joint) {
+        scale({&joint.cohesion, &joint.residual_cohesion, &joint.tensile_strength, &joint.normal_stiffness,
+               &joint.shear_stiffness});
+        if (joint.bond) {
+            scale({&joint.bond->spacing});
+            for (double* of_rock : {&joint.bond->young_modulus, &joint.bond->shear_modulus,
+                                    &joint.bond->tensile_strength, &joint.bond->cohesion}) {
+                *of_rock *= by;
+            }
+        }
+    }
+    for (ForceOnBlock& force : study.model.force) {
+        force.horizontal *= by * by;
+        force.vertical *= by * by;
+    }
+    const double duration = relaxation_settings(study).duration;
+    study.settings = study.settings.value_or(RelaxationNumerics{});
+    study.settings->duration = std::sqrt(by) * duration;
     return study;
 }
 

@@ -218,7 +218,10 @@ void Simulation::audit() {
     if (now && now->share > settings_.overlap_limit) {
         state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
     }
-    if (!ends || outcome() == RelaxationOutcome::overlap_too_large) {
+    // Blocks that creep only serve to find out whether they stand. If they rest held by corners they do not, in
+    // whatever way they came there; that they stand is believed only of motion whose energy is balanced.
+    const bool fails_at_rest = settings_.creep && outcome() == RelaxationOutcome::held_by_corners;
+    if (!ends || fails_at_rest || outcome() == RelaxationOutcome::overlap_too_large) {
         return;
     }
     const EnergyBalance energy = energy_balance();

@@ -90,10 +90,17 @@ std::vector<Redrawn> redrawn(const RelaxationStudy& study) {
                              {"mirrored", testing::polygons_mirrored(polygons), tilts ? -1.0 : 1.0},
                              {"turned", testing::polygons_turned(polygons, turn), 1, tilts ? turn : 0},
                              {"moved by 10 km", testing::polygons_moved_away(polygons, 1e4)},
+                             {"a hundredth of the size", testing::polygons_scaled(polygons, 1e-2)},
+                             {"a thousand times the size", testing::polygons_scaled(polygons, 1e3)},
                              {"other order", testing::polygons_in_another_order(polygons, 1)},
                              {"more vertices", testing::polygons_with_more_vertices(polygons)}};
     if (std::holds_alternative<RelaxationSlope>(study.model.scene)) {
         all.push_back({"sets by another trace", testing::with_sets_by_another_trace(study)});
+        // A set that ends on another has to come after it.
+        if (const RelaxationStudy reversed = testing::with_cuts_reversed(study);
+            check(reversed).check == SceneCheck::valid) {
+            all.push_back({"cuts in reverse", reversed});
+        }
     }
     return all;
 }
@@ -125,6 +132,9 @@ TEST(PublishedProblems, HaveOneFactorHoweverTheyAreDrawn) {
             const CriticalAnswer answer = find_critical(drawing.study);
             if (!as_drawn) {
                 as_drawn = answer;
+                StudyWork work;
+                work.threads = 2;
+                EXPECT_EQ(find_critical(drawing.study, work).value(), answer.value()) << name << ", two threads";
             }
             const double value = drawing.sign * answer.value() + drawing.shift;
             // Rounding may lead the bisection to the neighbouring bracket.

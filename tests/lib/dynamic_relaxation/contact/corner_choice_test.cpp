@@ -191,6 +191,28 @@ TEST(Toe, HasTheFactorOfSafetyOfItsPlane) {
     }
 }
 
+// Energy that came from nowhere may have moved blocks to where they stand, but a search needs no energy balance to see
+// that corners alone hold them.
+TEST(Toe, FailsInASearchEvenIfEnergyIsNotBalanced) {
+    const auto outcome_with = [](double friction, bool creep) {
+        const RelaxationStudy study = toe(plane_from(35, 0), degrees(friction), {{-15, 0}});
+        const RelaxationScene scene = relaxation_scene(study);
+        RelaxationSettings settings = relaxation_settings(study);
+        settings.stop_at_equilibrium = true;
+        settings.creep = creep;
+        RelaxationState state = Simulation(scene, settings).state();
+        state.energy_balance.applied += 1e9;  // J/m; the wedge weighs 1.6 MN/m
+        Simulation run(scene, settings, std::move(state));
+        while (run.running()) {
+            run.step();
+        }
+        return run.outcome();
+    };
+    EXPECT_EQ(outcome_with(20, true), RelaxationOutcome::held_by_corners);
+    EXPECT_EQ(outcome_with(20, false), RelaxationOutcome::energy_not_balanced);
+    EXPECT_EQ(outcome_with(36, true), RelaxationOutcome::energy_not_balanced);
+}
+
 // Friction 20 deg and as much tensile strength as cohesion: limit equilibrium is c L / (W sin) + tan(friction) /
 // tan(dip), tension or not.
 TEST(Toe, TensileStrengthOfItsPlaneAddsNoFriction) {
