@@ -23,9 +23,9 @@ for case in plane_failure/fig_2_8.toml starting/stepped_base.toml starting/kinem
     starting/fit.toml; do
     open_case "$source_folder/cases/$case"
     evaluate "(async () => {
-        const knob = document.querySelector('.handle'), box = knob.getBoundingClientRect(), times = [];
+        const drawn = document.querySelector('.handle'), box = drawn.getBoundingClientRect(), times = [];
         const at = (type, to) => new PointerEvent(type, {clientX: box.x + to, clientY: box.y + to, bubbles: true});
-        knob.dispatchEvent(at('pointerdown', 0));
+        drawn.dispatchEvent(at('pointerdown', 0));
         for (let turn = 1; turn <= 50; ++turn) {
             const since = performance.now(), old = state.answer;
             window.dispatchEvent(at('pointermove', turn % 20));

@@ -323,8 +323,8 @@ visit "$address"
 wait_for "document.body && document.body.dataset.ready === 'yes'"
 expect_value "inputs are in feet" "state.inputs.get('slope.height').unit + ' ' + digits(valueOf('slope.height'))" '"ft 39.37"'
 expect_value "the crest's handle lies on the drawn crest, and follows the pointer" "(async () => {
-    const knob = () => { const box = document.querySelector('[data-name=crest]').getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; };
-    const [x, y] = knob(), at = (type, by) => new PointerEvent(type, {clientX: x + by, clientY: y - by, bubbles: true});
+    const drawn = () => { const box = document.querySelector('[data-name=crest]').getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; };
+    const [x, y] = drawn(), at = (type, by) => new PointerEvent(type, {clientX: x + by, clientY: y - by, bubbles: true});
     const crest = document.querySelector('#sections svg').toPicture([valueOf('slope.height') / Math.tan(Math.PI / 3), valueOf('slope.height')]);
     const shown = document.querySelector('[data-name=crest] circle');
     const off = Math.hypot(shown.getAttribute('cx') - crest[0], shown.getAttribute('cy') - crest[1]);
@@ -332,7 +332,7 @@ expect_value "the crest's handle lies on the drawn crest, and follows the pointe
     document.querySelector('[data-name=crest]').dispatchEvent(at('pointerdown', 0));
     window.dispatchEvent(at('pointermove', 20));
     while (state.answer === old) await new Promise(requestAnimationFrame);
-    const [there, up] = knob();
+    const [there, up] = drawn();
     window.dispatchEvent(at('pointerup', 20));
     return off < 0.1 && Math.hypot(there - x - 20, up - y + 20) < 0.5;
 })()" true
@@ -379,11 +379,11 @@ serve "$source_folder/cases/starting/jointed_slope.toml"
 open_browser 1400 900
 visit "$address"
 wait_for "document.body && document.body.dataset.ready === 'yes'"
-expect_value "points of the outline and joint sets" "document.querySelectorAll('#knobs .handle').length" 6
+expect_value "points of the outline and joint sets" "document.querySelectorAll('#handles .handle').length" 6
 evaluate "(async () => {
-    const knob = document.querySelector('[data-name=\"joint set columns\"]'), box = knob.getBoundingClientRect(), old = motion.blocks;
+    const drawn = document.querySelector('[data-name=\"joint set columns\"]'), box = drawn.getBoundingClientRect(), old = motion.blocks;
     const at = (type, by) => new PointerEvent(type, {clientX: box.x + box.width / 2 + by, clientY: box.y + box.height / 2, bubbles: true});
-    knob.dispatchEvent(at('pointerdown', 0));
+    drawn.dispatchEvent(at('pointerdown', 0));
     window.dispatchEvent(at('pointermove', 30));
     while (motion.blocks === old) await new Promise(requestAnimationFrame);
     window.dispatchEvent(at('pointerup', 30));
@@ -467,15 +467,15 @@ blue="(() => {
     return red === 86 && green === 180 && blue === 233;
 })()"
 expect_value "a blue line" "$blue" true
-expect_value "joint sets have their spokes" "document.querySelectorAll('#knobs .spoke').length" 2
+expect_value "joint sets have their spokes" "document.querySelectorAll('#handles .spoke').length" 2
 [[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_water.png"
 evaluate "(async () => {
     find('play').click();
     while (!(motion.picture.steps > 200)) await new Promise(requestAnimationFrame);
-    const seen = [...document.querySelectorAll('#knobs .handle')].filter(one => getComputedStyle(one).display !== 'none').map(one => one.dataset.name);
-    const before = motion.picture.steps, knob = document.querySelector('[data-name=\"scene.water.vertex[2]\"]'), box = knob.getBoundingClientRect();
+    const seen = [...document.querySelectorAll('#handles .handle')].filter(one => getComputedStyle(one).display !== 'none').map(one => one.dataset.name);
+    const before = motion.picture.steps, drawn = document.querySelector('[data-name=\"scene.water.vertex[2]\"]'), box = drawn.getBoundingClientRect();
     const at = (type, by) => new PointerEvent(type, {clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 + by, bubbles: true});
-    knob.dispatchEvent(at('pointerdown', 0));
+    drawn.dispatchEvent(at('pointerdown', 0));
     window.dispatchEvent(at('pointermove', -40));
     while (!(state.values['scene.water.vertex[2].y'] > 4)) await new Promise(requestAnimationFrame);
     window.dispatchEvent(at('pointerup', -40));

@@ -211,13 +211,13 @@ function addHandles(picture, answer) {
       const left = at[0] < x1;
       svg('text', {class: 'box', x: at[0] + (left ? -12 : 12), y: at[1] + 4, 'text-anchor': left ? 'end' : 'start'}, picture).textContent = handle.name;
     }
-    const knob = svg('g', {class: `handle${stays}`, tabindex: 0, role: 'slider',
+    const drawn = svg('g', {class: `handle${stays}`, tabindex: 0, role: 'slider',
       'aria-label': handle.name, 'aria-valuenow': digits(now), 'aria-valuemin': digits(Math.min(least, now)), 'aria-valuemax': digits(Math.max(most, now)), 'aria-valuetext': handle.inputs.map(name => `${name} ${digits(valueOf(name))} ${state.inputs.get(name).unit}`).join(', ')}, picture);
-    svg('title', {}, knob).textContent = `${handle.name}: ${handle.inputs.join(', ')}`;
-    svg('circle', {class: 'finger', cx: at[0], cy: at[1], r: 16}, knob);
-    svg('circle', {cx: at[0], cy: at[1], r: 9}, knob);
-    knob.dataset.name = handle.name;
-    knob.addEventListener('pointerdown', event => {
+    svg('title', {}, drawn).textContent = `${handle.name}: ${handle.inputs.join(', ')}`;
+    svg('circle', {class: 'finger', cx: at[0], cy: at[1], r: 16}, drawn);
+    svg('circle', {cx: at[0], cy: at[1], r: 9}, drawn);
+    drawn.dataset.name = handle.name;
+    drawn.addEventListener('pointerdown', event => {
       event.preventDefault();
       // Each answer draws the picture anew; until the point is released all pictures have the scales of this one.
       const toPicture = picture.getScreenCTM().inverse();
@@ -238,7 +238,7 @@ function addHandles(picture, answer) {
       window.addEventListener('pointermove', move);
       window.addEventListener('pointerup', end);
     });
-    knob.addEventListener('keydown', event => {
+    drawn.addEventListener('keydown', event => {
       const by = {ArrowLeft: [-6, 0], ArrowRight: [6, 0], ArrowUp: [0, -6], ArrowDown: [0, 6]}[event.key];
       if (!by) return;
       event.preventDefault();

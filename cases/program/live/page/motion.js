@@ -19,22 +19,22 @@ async function startMotion(answer) {
   motion.handles = (answer?.handles ? answer : await ask('/answer', {values: state.values})).handles;
   Object.assign(motion, {blocks: made.blocks, centres: made.centres, tilt: made.tilt, mass: made.mass});
   take(await ask('/motion/step', {steps: 0}));
-  addKnobs();
+  showHandles();
   tell('');
 }
 
 // Shows the points of the section above the blocks, as long as the blocks are where the case has them.
-function addKnobs() {
-  const canvas = find('blocks'), knobs = svg('svg', {id: 'knobs', viewBox: `0 0 ${canvas.width} ${canvas.height}`, role: 'group', 'aria-label': 'Points of the section'});
-  knobs.ranges = true;  // the view stays while one is dragged
-  knobs.toPicture = viewOf(canvas);
-  const [x0, y0] = knobs.toPicture([0, 0]), [ax, ay] = knobs.toPicture([1, 0]), [bx, by] = knobs.toPicture([0, 1]);
+function showHandles() {
+  const canvas = find('blocks'), handles = svg('svg', {id: 'handles', viewBox: `0 0 ${canvas.width} ${canvas.height}`, role: 'group', 'aria-label': 'Points of the section'});
+  handles.ranges = true;  // the view stays while one is dragged
+  handles.toPicture = viewOf(canvas);
+  const [x0, y0] = handles.toPicture([0, 0]), [ax, ay] = handles.toPicture([1, 0]), [bx, by] = handles.toPicture([0, 1]);
   const toData = new DOMMatrix([ax - x0, ay - y0, bx - x0, by - y0, x0, y0]).inverse();
-  knobs.toData = (x, y) => { const at = new DOMPoint(x, y).matrixTransform(toData); return [at.x, at.y]; };
-  knobs.classList.toggle('moving', motion.picture.steps > 0);
-  addHandles(knobs, motion);
-  find('knobs').replaceWith(knobs);
-  if (state.focus) knobs.querySelector(`[data-name="${CSS.escape(state.focus)}"]`)?.focus();
+  handles.toData = (x, y) => { const at = new DOMPoint(x, y).matrixTransform(toData); return [at.x, at.y]; };
+  handles.classList.toggle('moving', motion.picture.steps > 0);
+  addHandles(handles, motion);
+  find('handles').replaceWith(handles);
+  if (state.focus) handles.querySelector(`[data-name="${CSS.escape(state.focus)}"]`)?.focus();
 }
 
 async function changeMotion(answer) {
@@ -46,7 +46,7 @@ async function changeMotion(answer) {
     return;
   }
   motion.handles = (answer?.handles ? answer : await ask('/answer', {values: state.values})).handles;
-  addKnobs();
+  showHandles();
   drawBlocks();
 }
 
@@ -86,7 +86,7 @@ function take(buffer) {
     cell.textContent = `${Math.abs(balance[index]) < most * 1e-6 ? 0 : (balance[index] / 1000).toPrecision(4)} kJ/m`;
     return row;
   }));
-  find('knobs').classList.toggle('moving', steps > 0);
+  find('handles').classList.toggle('moving', steps > 0);
   drawBlocks();
 }
 
