@@ -73,7 +73,7 @@ class Description {
 
     template <class Section>
     void add_fields(ClassSchema& owner, bool optional) {
-        Section::fields().for_each([&](const auto& field) { add_field(owner, optional, field); });
+        field_table<Section>.for_each([&](const auto& field) { add_field(owner, optional, field); });
     }
 
     template <class Owner, class Member>

@@ -1,16 +1,15 @@
 #include "kinematics/criteria.hpp"
 
+#include "numerics/constants.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace delabole {
 
 namespace {
-
-constexpr double right_angle = std::numbers::pi / 2;
 
 // Directions are accurate to a few rounding errors, which must not let a plane parallel to the face daylight.
 constexpr double direction_rounding = 1e-12;

@@ -1,5 +1,7 @@
 #include "kinematics/stereonet.hpp"
 
+#include "numerics/constants.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +12,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double right_angle = std::numbers::pi / 2;
 constexpr double half_turn = std::numbers::pi;
 
 // `count` points for equally spaced values from first to last.
@@ -180,15 +181,13 @@ double summed_kernels(const std::vector<Direction>& poles, const std::vector<dou
     return scale * sum;
 }
 
-double sum_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
 }  // namespace
 
 double pole_density(const std::vector<Direction>& poles, const std::vector<double>& weights, const Direction& at,
                     double kernel_concentration) {
-    return poles.empty() ? 0 : summed_kernels(poles, weights, at, kernel_concentration) / sum_of(weights);
+    return poles.empty() ? 0
+                         : summed_kernels(poles, weights, at, kernel_concentration) /
+                               std::accumulate(weights.begin(), weights.end(), 0.0);
 }
 
 namespace {
@@ -245,7 +244,7 @@ DensityGrid density_grid(const std::function<double(const Direction&)>& density,
 DensityGrid pole_density_grid(const std::vector<Direction>& poles, const std::vector<double>& weights,
                               double kernel_concentration, NetProjection projection, std::size_t side) {
     DensityGrid grid = empty_grid(side);
-    const double total = poles.empty() ? 1 : sum_of(weights);
+    const double total = poles.empty() ? 1 : std::accumulate(weights.begin(), weights.end(), 0.0);
     const auto summed = [&](Eigen::Index, Eigen::Index, const Point& point) {
         return summed_kernels(poles, weights, direction_at(point, projection), kernel_concentration) / total;
     };

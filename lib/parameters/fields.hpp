@@ -168,6 +168,16 @@ template <class Owner, class Member>
 struct Field {
     FieldInfo info;
     Member Owner::*member;
+
+    template <class Object, class Visitor>
+    constexpr void visit(Object& object, Visitor& visitor) const {
+        if constexpr (std::is_function_v<Member>) {
+            const auto value = (object.*member)();
+            visitor(info, value);
+        } else {
+            visitor(info, object.*member);
+        }
+    }
 };
 
 template <class Owner, class Member>
@@ -220,6 +230,10 @@ struct FieldTableBase<std::index_sequence<index...>, Types...> : FieldAt<index, 
     template <class Function>
     constexpr void for_each([[maybe_unused]] Function&& function) const {
         (function(this->FieldAt<index, Types>::field), ...);
+    }
+    template <class Object, class Visitor>
+    constexpr void visit(Object& object, Visitor& visitor) const {
+        (this->FieldAt<index, Types>::field.visit(object, visitor), ...);
     }
 };
 
@@ -356,26 +370,20 @@ concept NumberType =
     { one < other } -> std::convertible_to<bool>;
 };
 
-namespace detail {
-
-template <class Object, class Owner, class Member, class Visitor>
-constexpr void visit_field(Object& object, const Field<Owner, Member>& field, Visitor& visit) {
-    if constexpr (std::is_function_v<Member>) {
-        const auto value = (object.*field.member)();
-        visit(field.info, value);
-    } else {
-        visit(field.info, object.*field.member);
-    }
-}
-
-}  // namespace detail
+// The table of a described struct, which is made once and not in each function that walks through it.
+template <Described Object>
+inline constexpr auto field_table = Object::fields();
 
 // Calls visit(field info, member) for each field of a described struct, in the order of the table.
 template <Described Object, class Visitor>
 constexpr void visit_fields(Object& object, Visitor&& visit) {
-    std::remove_const_t<Object>::fields().for_each(
-        [&](const auto& field) { detail::visit_field(object, field, visit); });
+    field_table<std::remove_const_t<Object>>.visit(object, visit);
 }
+
+// "path.key", where either may be empty.
+std::string joined_path(const std::string& path, std::string_view key);
+// The element with this index, counted from 0, as a person counts: "key[1]" is the first.
+std::string indexed(const std::string& key, std::size_t index);
 
 namespace detail {
 
@@ -402,8 +410,7 @@ template <class Type, class Function>
 void walk_named_numbers(Type& value, const FieldInfo& info, const std::string& path, Function& function) {
     if constexpr (Described<Type>) {
         visit_fields(value, [&](const FieldInfo& inner, auto& member) {
-            const std::string separator = path.empty() || inner.key.empty() ? "" : ".";
-            walk_named_numbers(member, inner, path + separator + std::string(inner.key), function);
+            walk_named_numbers(member, inner, joined_path(path, inner.key), function);
         });
     } else if constexpr (is_optional<std::remove_const_t<Type>>) {
         if (value) {
@@ -413,7 +420,7 @@ void walk_named_numbers(Type& value, const FieldInfo& info, const std::string& p
         std::visit([&](auto& alternative) { walk_named_numbers(alternative, info, path, function); }, value);
     } else if constexpr (is_vector<std::remove_const_t<Type>>) {
         for (std::size_t index = 0; index < value.size(); ++index) {
-            walk_named_numbers(value[index], info, path + "[" + std::to_string(index + 1) + "]", function);
+            walk_named_numbers(value[index], info, indexed(path, index), function);
         }
     } else if constexpr (NumberType<Type>) {
         function(path, info, value);
@@ -424,9 +431,8 @@ template <class To, class From>
 void convert(const From& from, To& to) {
     if constexpr (Described<From>) {
         [&]<std::size_t... index>(std::index_sequence<index...>) {
-            [[maybe_unused]] constexpr auto source = From::fields();
-            [[maybe_unused]] constexpr auto target = To::fields();
-            (convert(from.*field_at<index>(source).member, to.*field_at<index>(target).member), ...);
+            (convert(from.*field_at<index>(field_table<From>).member, to.*field_at<index>(field_table<To>).member),
+             ...);
         }
         (std::make_index_sequence<decltype(From::fields())::size>{});
     } else if constexpr (is_optional<From>) {

@@ -220,32 +220,28 @@ std::string annotated_section(const FieldInfo& info, const Member& member, const
     return {};
 }
 
-// Calls visit(field info, member, dimension named) for each field; the info has the dimension of the values in this
-// place.
-template <Described Object, class Visit>
-void visit_annotated(const Object& object, Dimension named, Visit&& visit) {
-    const Dimension own = detail::dimension_named(object, named);
-    visit_fields(object, [&](const FieldInfo& info, const auto& member) {
-        FieldInfo here = info;
-        here.dimension = info.dimension == Dimension::named ? own : info.dimension;
-        visit(here, member, own);
-    });
+// The field with the dimension of its values in a section that names a quantity of the dimension `named`.
+FieldInfo in_this_section(FieldInfo info, Dimension named) {
+    info.dimension = info.dimension == Dimension::named ? named : info.dimension;
+    return info;
 }
 
 template <Described Object>
 std::string annotated_values(const Object& object, Dimension named) {
+    const Dimension own = detail::dimension_named(object, named);
     std::string text;
-    visit_annotated(object, named, [&](const FieldInfo& info, const auto& member, Dimension own) {
-        text += annotated_value(info, member, own);
+    visit_fields(object, [&](const FieldInfo& info, const auto& member) {
+        text += annotated_value(in_this_section(info, own), member, own);
     });
     return text;
 }
 
 template <Described Object>
 std::string annotated_sections(const Object& object, const std::string& path, Dimension named) {
+    const Dimension own = detail::dimension_named(object, named);
     std::string text;
-    visit_annotated(object, named, [&](const FieldInfo& info, const auto& member, Dimension own) {
-        text += annotated_section(info, member, path, own);
+    visit_fields(object, [&](const FieldInfo& info, const auto& member) {
+        text += annotated_section(in_this_section(info, own), member, path, own);
     });
     return text;
 }

@@ -30,7 +30,7 @@ void for_each_alternative(Function&& function) {
 
 template <class Alternative, class Function>
 void for_each_field_key(Function&& function) {
-    Alternative::fields().for_each([&](const auto& field) { function(field.info.key); });
+    field_table<Alternative>.for_each([&](const auto& field) { function(field.info.key); });
 }
 
 template <class Alternative>

@@ -20,10 +20,6 @@ template <Described Object>
 void write_sections(std::string& text, const Object& object, const std::string& path,
                     Dimension named = Dimension::ratio);
 
-inline std::string joined_path(const std::string& path, std::string_view key) {
-    return path.empty() ? std::string(key) : path + "." + std::string(key);
-}
-
 inline void write_line(std::string& text, std::string_view key, const std::string& value) {
     text += std::string(key) + " = " + value + "\n";
 }
@@ -236,7 +232,7 @@ void write_sections(std::string& text, const Object& object, const std::string& 
 template <Described Object>
 void write_differences(std::string& values, std::string& sections, const Object& base, const Object& object,
                        const std::string& path) {
-    Object::fields().for_each([&](const auto& one) {
+    field_table<Object>.for_each([&](const auto& one) {
         const auto& before = base.*one.member;
         const auto& after = object.*one.member;
         using Member = std::remove_cvref_t<decltype(after)>;

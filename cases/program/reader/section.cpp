@@ -23,10 +23,6 @@ std::string shown_key(std::string_view key) {
 
 }  // namespace
 
-std::string indexed(const std::string& key, std::size_t index) {
-    return key + "[" + std::to_string(index + 1) + "]";
-}
-
 void Reading::complain(const Place& place, std::string key, std::string value, std::string message) {
     complain({.file = place.from_option ? "--set" : file_,
               .line = place.from_option ? 0 : place.line,
@@ -101,7 +97,7 @@ Section::Section(const Section& around, const Node& table, std::string path)
 }
 
 std::string Section::path_of(std::string_view key) const {
-    return path_.empty() ? shown_key(key) : path_ + "." + shown_key(key);
+    return joined_path(path_, shown_key(key));
 }
 
 void Section::allow(std::string_view key) {

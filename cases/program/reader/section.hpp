@@ -25,9 +25,6 @@ struct KeyPlace {
     std::string value;
 };
 
-// "bolt[2]" for index 1
-std::string indexed(const std::string& key, std::size_t index);
-
 // Records everything found while one case is read.
 class Reading {
   public:

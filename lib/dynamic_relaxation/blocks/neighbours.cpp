@@ -1,15 +1,14 @@
 #include "dynamic_relaxation/blocks/neighbours.hpp"
 
+#include "numerics/constants.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace delabole {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Box {
     double left = infinity;

@@ -4,11 +4,11 @@
 #include "dynamic_relaxation/contact/by_block.hpp"
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/contact/time_step.hpp"
+#include "numerics/constants.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -16,8 +16,6 @@
 namespace delabole {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Contacts are found within this distance, in shortest edges of the scene or, if that is more, of the two blocks.
 constexpr double margin_in_edges_of_scene = 0.01;

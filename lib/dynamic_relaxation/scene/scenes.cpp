@@ -12,10 +12,6 @@ constexpr double clear_widths = 3;  // of the base in front of columns
 // The plane extends as far as blocks may slide: from a plane of a few widths they would fall off unnoticed.
 constexpr double plane_widths = 1000;
 
-Polygon<> rectangle(double left, double bottom, double right, double top) {
-    return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
-
 RelaxationScene empty_scene(const StandingBlocks& blocks) {
     RelaxationScene scene;
     scene.material = {blocks.interface, blocks.base};
@@ -31,7 +27,7 @@ RelaxationBlock fixed_block(Polygon<> outline, double density) {
 }
 
 RelaxationBlock standing_block(const StandingBlock& block, double x, double y, double density) {
-    RelaxationBlock standing{rectangle(x, y, x + block.width, y + block.height), density};
+    RelaxationBlock standing{upright_rectangle(x, y, x + block.width, y + block.height), density};
     standing.joint = {of_base, of_interface, of_interface, of_interface};
     return standing;
 }
@@ -48,7 +44,7 @@ RelaxationScene row_scene(const StandingBlocks& blocks) {
         widest = std::max(widest, block.width);
     }
     scene.block.push_back(
-        fixed_block(rectangle(-plane_widths * widest, -widest, x + plane_widths * widest, 0), blocks.density));
+        fixed_block(upright_rectangle(-plane_widths * widest, -widest, x + plane_widths * widest, 0), blocks.density));
     return scene;
 }
 
@@ -61,7 +57,7 @@ RelaxationScene column_scene(const StandingBlocks& blocks) {
         const double depth = block.width + block.step_above;
         const double before = bases.empty() ? clear_widths * block.width : 0;
         scene.block.push_back(standing_block(block, x, y, blocks.density));
-        bases.push_back(fixed_block(rectangle(x - before, y - depth, x + block.width, y), blocks.density));
+        bases.push_back(fixed_block(upright_rectangle(x - before, y - depth, x + block.width, y), blocks.density));
         x += block.width;
         y += block.step_above;
     }

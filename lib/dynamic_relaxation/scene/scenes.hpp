@@ -11,6 +11,10 @@
 
 namespace delabole {
 
+inline Polygon<> upright_rectangle(double left, double bottom, double right, double top) {
+    return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
 struct StandingBlock {
     double width;           // m
     double height;          // m

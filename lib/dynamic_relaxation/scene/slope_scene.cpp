@@ -1,5 +1,6 @@
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 
+#include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/scene/straight_vertices.hpp"
 #include "dynamic_relaxation/scene/water_table.hpp"
 
@@ -61,10 +62,6 @@ Bounds bounds_of(const std::vector<PlanePoint<>>& points) {
         bounds.top = std::max(bounds.top, point.y());
     }
     return bounds;
-}
-
-Polygon<> rectangle(double left, double bottom, double right, double top) {
-    return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
 // A section is needed several times in a row for the same geometry: to check a case, to name its outputs, for each run
@@ -289,12 +286,12 @@ class SlopeSceneMaker {
         const double reach = frame.reach.value_or(0);
         const double left = bounds_.left - (in_front ? frame.thickness : reach);
         const double right = bounds_.right + (behind ? frame.thickness : reach);
-        add_frame_block(rectangle(left, bounds_.bottom - frame.thickness, right, bounds_.bottom));
+        add_frame_block(upright_rectangle(left, bounds_.bottom - frame.thickness, right, bounds_.bottom));
         if (behind) {
-            add_frame_block(rectangle(bounds_.right, bounds_.bottom, right, behind_.top));
+            add_frame_block(upright_rectangle(bounds_.right, bounds_.bottom, right, behind_.top));
         }
         if (in_front) {
-            add_frame_block(rectangle(left, bounds_.bottom, bounds_.left, in_front_.top));
+            add_frame_block(upright_rectangle(left, bounds_.bottom, bounds_.left, in_front_.top));
         }
         return true;
     }

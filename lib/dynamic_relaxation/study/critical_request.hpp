@@ -45,53 +45,40 @@ inline constexpr double greatest_reduction = 10;
 inline constexpr double greatest_weight = 100;
 inline constexpr std::string_view tolerance_meaning = "width of the bracket in the end";
 
-// Search for the constant tilt at which the blocks begin to fail.
-struct TiltSearch {
+enum class CriticalParameter { tilt, friction, strength_reduction, weight };
+
+// Search for the constant tilt at which the blocks begin to fail, or for the friction angle of all joints, peak and
+// residual, below which they do.
+template <CriticalParameter parameter>
+struct AngleSearch {
     double lower;
     double upper;
     std::optional<double> tolerance;
     std::optional<LoadingPath> path;
     std::optional<PathChoice> paths;
 
+    static constexpr bool of_tilt = parameter == CriticalParameter::tilt;
     static constexpr std::string_view kind_key = "parameter";
-    static constexpr std::string_view kind = "tilt";
+    static constexpr std::string_view kind = of_tilt ? "tilt" : "friction";
     static constexpr auto fields() {
+        using A = AngleSearch;
+        constexpr Interval range = of_tilt ? between(degrees(-90), degrees(90)) : right_open(0, degrees(90));
         return FieldTable{
-            number<&TiltSearch::lower>(Dimension::angle, between(degrees(-90), degrees(90)),
-                                       "least tilt tried, which is constant whatever [tilting] does"),
-            number<&TiltSearch::upper>(Dimension::angle, between(degrees(-90), degrees(90)), "greatest tilt tried"),
+            number<&A::lower>(Dimension::angle, range,
+                              of_tilt ? "least tilt tried, which is constant whatever [tilting] does"
+                                      : "least friction angle tried, of every joint, peak and residual"),
+            number<&A::upper>(Dimension::angle, range,
+                              of_tilt ? "greatest tilt tried" : "greatest friction angle tried"),
             absent_is(standard_angle_tolerance,
-                      number<&TiltSearch::tolerance>(Dimension::angle, within(degrees(1e-9), degrees(10)),
-                                                     tolerance_meaning)),
-            section<&TiltSearch::path>(
-                "how the blocks come to each tilt; absent: stages where the scene has some, else by settings.start"),
-            section<&TiltSearch::paths>(paths_meaning)};
-    }
-};
-
-// Search for the friction angle of all joints, peak and residual, below which the blocks fail.
-struct FrictionSearch {
-    double lower;
-    double upper;
-    std::optional<double> tolerance;
-    std::optional<LoadingPath> path;
-    std::optional<PathChoice> paths;
-
-    static constexpr std::string_view kind_key = "parameter";
-    static constexpr std::string_view kind = "friction";
-    static constexpr auto fields() {
-        using F = FrictionSearch;
-        return FieldTable{
-            number<&F::lower>(Dimension::angle, right_open(0, degrees(90)),
-                              "least friction angle tried, of every joint, peak and residual"),
-            number<&F::upper>(Dimension::angle, right_open(0, degrees(90)), "greatest friction angle tried"),
-            absent_is(standard_angle_tolerance,
-                      number<&F::tolerance>(Dimension::angle, within(degrees(1e-9), degrees(10)), tolerance_meaning)),
-            section<&F::path>(
+                      number<&A::tolerance>(Dimension::angle, within(degrees(1e-9), degrees(10)), tolerance_meaning)),
+            section<&A::path>(
                 "how the blocks come to each angle; absent: stages where the scene has some, else by settings.start"),
-            section<&F::paths>(paths_meaning)};
+            section<&A::paths>(paths_meaning)};
     }
 };
+
+struct TiltSearch : AngleSearch<CriticalParameter::tilt> {};
+struct FrictionSearch : AngleSearch<CriticalParameter::friction> {};
 
 // Search for the factor of safety F: the divisor of strength at which the blocks fail (strength_reduction.hpp).
 struct ReductionSearch {
@@ -141,8 +128,6 @@ struct WeightSearch {
 };
 
 using CriticalRequest = std::variant<TiltSearch, FrictionSearch, ReductionSearch, WeightSearch>;
-
-enum class CriticalParameter { tilt, friction, strength_reduction, weight };
 
 constexpr std::array<std::string_view, 4> enum_names(CriticalParameter) {
     return {TiltSearch::kind, FrictionSearch::kind, ReductionSearch::kind, WeightSearch::kind};

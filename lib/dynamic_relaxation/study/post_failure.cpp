@@ -2,10 +2,10 @@
 
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
 #include "dynamic_relaxation/study/rotation_share.hpp"
+#include "numerics/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 namespace delabole {
@@ -13,7 +13,6 @@ namespace delabole {
 namespace {
 
 constexpr std::size_t stations = 1000;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double share_of(double moved_by, double limit) {
     const double ratio = (moved_by / limit) * (moved_by / limit);

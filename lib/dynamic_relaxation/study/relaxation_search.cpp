@@ -18,25 +18,16 @@ namespace {
 
 constexpr double own_ratio = 1;  // of strength or weight, as given in the case
 
-LoadingPath path_of(RelaxationStart start) {
-    switch (start) {
-    case RelaxationStart::preloaded:
-        break;
-    case RelaxationStart::dropped:
-        return LoadingPath::sudden;
-    case RelaxationStart::ramped:
-    case RelaxationStart::stepped:
-        return LoadingPath::gravity;
-    }
-    return LoadingPath::preloaded;
-}
-
 // The path of a search for which the case names none.
 LoadingPath usual_path(const RelaxationStudy& study, CriticalParameter parameter) {
     if (dimension_of(parameter) == Dimension::ratio) {
         return LoadingPath::consolidated;
     }
-    return has_stages(study) ? LoadingPath::stages : path_of(relaxation_settings(study).start);
+    const RelaxationStart start = relaxation_settings(study).start;
+    return has_stages(study)                     ? LoadingPath::stages
+           : start == RelaxationStart::preloaded ? LoadingPath::preloaded
+           : start == RelaxationStart::dropped   ? LoadingPath::sudden
+                                                 : LoadingPath::gravity;
 }
 
 std::vector<LoadingPath> paths_of(const RelaxationStudy& study, LoadingPath first, PathChoice choice) {

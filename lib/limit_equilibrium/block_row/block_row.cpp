@@ -3,10 +3,10 @@
 #include "limit_equilibrium/block_row/block_row_search.hpp"
 #include "limit_equilibrium/bound/block_assembly.hpp"
 #include "limit_equilibrium/bound/lp_bound.hpp"
+#include "numerics/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,7 +15,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double right_angle = std::numbers::pi / 2;
 constexpr std::size_t most_blocks = 100'000;
 
 BlockRowCheck check_input(const BlockRow<>& row) {

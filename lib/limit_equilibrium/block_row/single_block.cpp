@@ -1,16 +1,13 @@
 #include "limit_equilibrium/block_row/single_block.hpp"
 
+#include "numerics/constants.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace delabole {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double right_angle = std::numbers::pi / 2;
 
 // A quantity sine * sin(i) + cosine * cos(i) of the inclination i.
 struct Swing {

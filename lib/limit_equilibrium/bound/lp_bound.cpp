@@ -14,7 +14,7 @@ namespace {
 
 using detail::friction_of;
 using detail::horizontal_weights;
-using detail::refused;
+using detail::refused_bound;
 using detail::Scales;
 using detail::scales_of;
 using detail::Sense;
@@ -327,12 +327,12 @@ LpBound largest_tilt(const Assembly& assembly) {
 
 LpBound largest_load_factor(const Assembly& assembly, const std::vector<BodyLoad>& loads) {
     if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
-        return refused(check);
+        return refused_bound(check);
     }
     if (loads.size() != assembly.bodies.size() || !std::all_of(loads.begin(), loads.end(), [](const BodyLoad& load) {
             return load.force.allFinite() && std::isfinite(load.moment);
         })) {
-        return refused(AssemblyCheck::input_out_of_range);
+        return refused_bound(AssemblyCheck::input_out_of_range);
     }
     return solve(assembly, scales_of(assembly), {loads}, 1);
 }

@@ -27,7 +27,7 @@ Scales scales_of(const Assembly& assembly) {
     return scales;
 }
 
-LpBound refused(AssemblyCheck check) {
+LpBound refused_bound(AssemblyCheck check) {
     LpBound bound;
     bound.status = LpStatus::invalid_assembly;
     bound.check = check;

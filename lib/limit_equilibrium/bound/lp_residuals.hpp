@@ -4,14 +4,12 @@
 
 #include "geometry/polygon.hpp"
 #include "limit_equilibrium/bound/lp_bound.hpp"
+#include "numerics/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace delabole::detail {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Units that make weights and arms about 1.
 struct Scales {
@@ -43,7 +41,7 @@ inline double friction_of(const Contact& contact, double strength) {
 Scales scales_of(const Assembly& assembly);
 
 // The answer for an invalid assembly.
-LpBound refused(AssemblyCheck check);
+LpBound refused_bound(AssemblyCheck check);
 
 // The weights as forces in direction -x.
 std::vector<BodyLoad> horizontal_weights(const Assembly& assembly);

@@ -7,7 +7,6 @@
 
 namespace delabole {
 
-using detail::infinity;
 using detail::Scales;
 using detail::Sense;
 
@@ -26,7 +25,7 @@ constexpr double least_strength_told = 1e-6;
 // assembly stands and one with which it does not.
 LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>* stop) {
     if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
-        return detail::refused(check);
+        return detail::refused_bound(check);
     }
     const Scales scales = detail::scales_of(assembly);
     const std::vector<BodyLoad> push = detail::horizontal_weights(assembly);

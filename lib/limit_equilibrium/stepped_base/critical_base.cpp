@@ -1,17 +1,16 @@
 #include "limit_equilibrium/stepped_base/critical_base.hpp"
 
+#include "numerics/constants.hpp"
 #include "numerics/scalar_search.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace delabole {
 
 namespace {
 
 constexpr int inclination_points = 16;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Range {
     double lower;

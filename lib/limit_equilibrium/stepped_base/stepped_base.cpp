@@ -1,6 +1,7 @@
 #include "limit_equilibrium/stepped_base/stepped_base.hpp"
 
 #include "limit_equilibrium/columns/base_profile.hpp"
+#include "numerics/constants.hpp"
 #include "numerics/edge_of_sign.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // Range of the logarithm: 11 decades in each direction and one further step. On level bases the driving force is
 // rounding alone, the cosine of 90 deg being 6e-17: they must hold at any strength.
 constexpr double widest_search = 25;

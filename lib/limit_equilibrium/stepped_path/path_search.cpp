@@ -1,18 +1,16 @@
 #include "limit_equilibrium/stepped_path/path_search.hpp"
 
 #include "limit_equilibrium/stepped_path/surface_strength.hpp"
+#include "numerics/constants.hpp"
 #include "numerics/edge_of_sign.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace delabole {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int most_searches = 200;
 // Greatest factor by which strength is divided or multiplied.
 constexpr double widest_factor = 1e8;
 

@@ -68,8 +68,9 @@ struct CriticalPath {
     LimitState limit = LimitState::holds_at_any_strength;
     double factor_of_safety = 0;  // 0 if it fails at any strength, infinite if it holds at any
     LatticePath path = {};        // empty if no surface is driven
-    int searches = 0;             // number of searches of the whole lattice
+    int searches = 0;             // of the whole lattice, at most `most_searches`
 };
+inline constexpr int most_searches = 200;
 
 CriticalPath least_stable_path(const SteppedPath& problem, const PathLattice& lattice);
 

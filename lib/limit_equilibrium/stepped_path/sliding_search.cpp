@@ -1,19 +1,16 @@
 #include "limit_equilibrium/stepped_path/path_search.hpp"
 
 #include "limit_equilibrium/stepped_path/surface_strength.hpp"
+#include "numerics/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 namespace delabole {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int most_searches = 200;
 
 struct Ratio {
     double resisting = 0;

@@ -30,7 +30,7 @@ std::vector<Column> energy_columns() {
                  [member = field.member](const HistoryLine& line) { return std::invoke(member, line.energy); }});
         }
     };
-    EnergyBalance::fields().for_each(add);
+    field_table<EnergyBalance>.for_each(add);
     return columns;
 }
 
