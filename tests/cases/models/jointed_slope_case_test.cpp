@@ -380,5 +380,20 @@ TEST(OutlineFile, AMechanismMayHaveItsOwn) {
     }
 }
 
+// With hardly any friction the 700 blocks of the section run into each other from all sides. The outlines of all pairs
+// are checked every 5000 steps.
+TEST(DelaboleSection, BlocksDoNotPassThroughEachOtherAtLowFriction) {
+    const CaseFile file = read_case(std::string(DELABOLE_CASES) + "/relaxation/delabole_section.toml");
+    RelaxationStudy study = std::get<RelaxationStudy>(file.model);
+    std::get<RelaxationSlope>(study.model.scene).joint[0].strength.friction_angle = degrees(5);
+    study.settings->stop = RelaxationStop::collapse;
+    const RelaxationResult result = run(study).result;
+    EXPECT_EQ(result.outcome, RelaxationOutcome::collapse);
+    ASSERT_TRUE(result.overlap);
+    // A thousandth of a usual block of 10 m2; springs pressed by blocks that fall make a quarter of that.
+    EXPECT_LT(result.overlap->area, 0.01);  // m2
+    EXPECT_LT(std::abs(result.energy_balance.residual_share()), 0.02);
+}
+
 }  // namespace
 }  // namespace delabole
