@@ -3,6 +3,7 @@
 #include "cases/program/reader/units.hpp"
 #include "fitting/studies/comparison.hpp"
 #include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
 #include "plots/figures/study_figures.hpp"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ std::string bayes_factor_in_words(double log_bayes_factor) {
     if (log_bayes_factor == 0) {
         return "best";
     }
-    return std::isfinite(log_bayes_factor) ? "1 : " + number_in_words(std::exp(-log_bayes_factor)) : "none";
+    return std::isfinite(log_bayes_factor) ? "1 : " + human_number(std::exp(-log_bayes_factor), 3) : "none";
 }
 
 std::string logarithm_in_words(double value, double error) {

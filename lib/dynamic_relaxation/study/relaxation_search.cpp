@@ -240,6 +240,10 @@ class PathSearch {
         progress_.probe.push_back({outcome, cost.steps, cost.contacts_evaluated, !balanced});
         if (shows_failure(outcome)) {
             progress_.failed = cannot_stand ? since_initial_geometry(simulation.state()) : simulation.state();
+            if (cannot_stand) {
+                // Onset, so that blocks count as moving that have moved a tenth as far as the farthest.
+                progress_.failed->onset_time = progress_.failed->time;
+            }
         } else if (outcome == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
                    begin == Begin::at_start) {
             progress_.consolidated = simulation.state();

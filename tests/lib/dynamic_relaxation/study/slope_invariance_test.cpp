@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -109,6 +110,10 @@ TEST(RandomSlopes, HaveOneFactorOfSafetyHoweverTheyAreDrawn) {
         EXPECT_NE(answer.status, CriticalStatus::undecided) << seed;
         if (answer.status == CriticalStatus::found) {
             EXPECT_LE(answer.stands, *bound * near_bound) << seed;
+            ASSERT_TRUE(answer.failed) << seed;
+            EXPECT_TRUE(std::ranges::any_of(answer.failed->result.block, [](const BlockOutcome& block) {
+                return block.movement != BlockMovement::stays && block.movement != BlockMovement::fixed;
+            })) << seed;
             ++found;
         }
         const std::vector<std::pair<std::string, RelaxationStudy>> redrawn{
