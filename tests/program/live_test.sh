@@ -323,8 +323,8 @@ visit "$address"
 wait_for "document.body && document.body.dataset.ready === 'yes'"
 expect_value "inputs are in feet" "state.inputs.get('slope.height').unit + ' ' + digits(valueOf('slope.height'))" '"ft 39.37"'
 expect_value "the crest's handle lies on the drawn crest, and follows the pointer" "(async () => {
-    const drawn = () => { const box = document.querySelector('[data-name=crest]').getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; };
-    const [x, y] = drawn(), at = (type, by) => new PointerEvent(type, {clientX: x + by, clientY: y - by, bubbles: true});
+    const middle = () => { const box = document.querySelector('[data-name=crest]').getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; };
+    const [x, y] = middle(), at = (type, by) => new PointerEvent(type, {clientX: x + by, clientY: y - by, bubbles: true});
     const crest = document.querySelector('#sections svg').toPicture([valueOf('slope.height') / Math.tan(Math.PI / 3), valueOf('slope.height')]);
     const shown = document.querySelector('[data-name=crest] circle');
     const off = Math.hypot(shown.getAttribute('cx') - crest[0], shown.getAttribute('cy') - crest[1]);
@@ -332,7 +332,7 @@ expect_value "the crest's handle lies on the drawn crest, and follows the pointe
     document.querySelector('[data-name=crest]').dispatchEvent(at('pointerdown', 0));
     window.dispatchEvent(at('pointermove', 20));
     while (state.answer === old) await new Promise(requestAnimationFrame);
-    const [there, up] = drawn();
+    const [there, up] = middle();
     window.dispatchEvent(at('pointerup', 20));
     return off < 0.1 && Math.hypot(there - x - 20, up - y + 20) < 0.5;
 })()" true
