@@ -204,14 +204,16 @@ std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& li
     return corners.concerned([&](std::uint32_t block) { return blocks.bodies.fixed[block] != 0; });
 }
 
-bool give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight, ContactList& list) {
+bool give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight, ContactList& list,
+                         std::set<std::pair<std::uint32_t, std::uint32_t>>& before) {
     Corners corners(blocks, list);
     bool any = false;
     for_each_pair(list, weight, [&](const ContactRange& of_pair, double least) {
         for (std::size_t index = of_pair.begin; index < of_pair.end; ++index) {
             if (corners.relied_on(index) > least) {
                 corners.release(index, of_pair);
-                any = true;
+                const RelaxationContact contact = list.contact[index];
+                any |= before.emplace(contact.corner, contact.edge).second;
             }
         }
     });

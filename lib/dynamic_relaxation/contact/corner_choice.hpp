@@ -21,13 +21,14 @@
 //     that presses the columns together times d / (2 l), some millionths of it;
 //   - a body is in equilibrium if the work of its forces is not positive for any motion that is possible. Here that
 //     requires equilibrium with n1 alone and with n2 alone: a block held by only one of them can give way to the other
-//     side. So an equilibrium that relies on corners on corners is accepted only if equilibrium has also been found
-//     with the other edges: all of them are exchanged at once, in a trial. Of three edges in a corner two may bear and
-//     squeeze a tip: the one that holds more gives way, in whatever order blocks and corners are numbered. In a trial
-//     the other edge bears until it is more than 64 times as deep as its rival: then the blocks are beside each other
-//     rather than corner on corner. (A tip of 1 deg that slides down a plane comes 57 times as deep below level ground
-//     as the ground's corner comes below its face.) When equilibrium is found in the trial, the edges that bore before
-//     it bear again.
+//     side. So blocks that rest on corners on corners, and that faces alone do not hold (see below), have to rest with
+//     the other edges as well: all of them are exchanged at once, in a trial. Of three edges in a corner two may bear
+//     and squeeze a tip: the one that holds more gives way, in whatever order blocks and corners are numbered. In a
+//     trial the other edge bears until it is more than 64 times as deep as its rival: then the blocks are beside each
+//     other rather than corner on corner. (A tip of 1 deg that slides down a plane comes 57 times as deep below level
+//     ground as the ground's corner comes below its face.) When equilibrium is found in the trial, the edges that bore
+//     before it bear again. A trial pushes the blocks, by so much that in slopes of thousand blocks many go on moving:
+//     blocks that faces hold are spared it, and so are those of searches, which have failed if faces do not hold them.
 //
 // Edges whose normals differ by less than 20 deg count as one face that lies on a face of the other block: their
 // weights add up to one at the corner, and both bear. A block that is free to give way to either side of such a corner
@@ -63,6 +64,8 @@
 #include "dynamic_relaxation/contact/contacts.hpp"
 
 #include <cstdint>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace delabole {
@@ -95,8 +98,10 @@ std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std
 // under way.
 std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& list);
 // Takes both edges away wherever a corner on a corner carries a force above a thousandth of the weight of the lighter
-// of the two blocks, until they are beside each other. Returns whether there was any.
-bool give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight, ContactList& list);
+// of the two blocks, until they are beside each other. Returns whether there was any that is not among those that have
+// given way before, to which it is added: corners and edges of contacts.
+bool give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight, ContactList& list,
+                         std::set<std::pair<std::uint32_t, std::uint32_t>>& before);
 // Records as tried the edges that a successful trial, which began with `memory`, has marked.
 void note_tried(const MemoryArray& in_trial, MemoryArray& memory);
 // Clears these records after a change of loads: all edges have to be tried again.

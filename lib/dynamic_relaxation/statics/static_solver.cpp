@@ -47,7 +47,7 @@ class StaticSolver {
             start = motion;
             found = approach(start, motion, list);
         }
-        while (found.ratio <= settings_.tolerance && try_corners(found, motion, list)) {
+        while (settings_.corners_bear && found.ratio <= settings_.tolerance && try_corners(found, motion, list)) {
         }
         if (creeping_ != nullptr && found.ratio > settings_.tolerance && creeping_->ratio < found.ratio) {
             found.ratio = creeping_->ratio;
@@ -312,6 +312,7 @@ class StaticSolver {
             }
             const std::vector<Motion> from = motion;
             const double come = share_of_limits(start, best, from);
+            const Eigen::VectorXd unbalanced_before = equations_.unbalanced();
             const ImplicitStep step = step_implicitly(pseudo_viscosity, memory, motion, list);
             solutions += step.solutions;
             const double gone = share_of_limits(start, best, motion);
@@ -338,6 +339,9 @@ class StaticSolver {
                 continue;
             }
             memory = list.memory;
+            if (step.balanced && end_slow_motion(start, best, unbalanced_before, step.moved, memory, motion, list)) {
+                memory = list.memory;
+            }
             const double ratio_before = std::exchange(ratio, equations_.unbalanced_ratio());
             improves = ratio < ratio_before / 2;
             if (ratio < best.ratio) {
@@ -353,6 +357,32 @@ class StaticSolver {
         motion = best.most_balanced;
         list.memory = best.memory;
         return best;
+    }
+
+    // Blocks that are near to the limit of stability approach their balance in a slow motion that dies out: each step
+    // leaves the same share of the imbalance. The rest of that motion is made at once where it takes imbalance away.
+    bool end_slow_motion(const std::vector<Motion>& start, const StaticSolution& met,
+                         const Eigen::VectorXd& unbalanced_before, const Eigen::VectorXd& moved,
+                         const MemoryArray& memory, std::vector<Motion>& motion, ContactList& list) {
+        constexpr double slow = 0.5;
+        constexpr double alike = 0.9;  // cosine of the angle between the imbalances before and after the step
+        constexpr double better = 0.75;
+        const Eigen::VectorXd left = equations_.unbalanced();
+        const double common = left.dot(unbalanced_before);
+        const double share = common / unbalanced_before.squaredNorm();
+        if (!(share > slow && share < 1 && common > alike * left.norm() * unbalanced_before.norm())) {
+            return false;
+        }
+        const std::vector<Motion> before = motion;
+        equations_.move(share / (1 - share) * moved, motion);
+        equations_.evaluate(motion, memory, list);
+        if (equations_.mean_ratio(equations_.unbalanced()) < better * equations_.mean_ratio(left) &&
+            share_of_limits(start, met, motion) < 1) {
+            return true;
+        }
+        motion = before;
+        equations_.evaluate(motion, memory, list);
+        return false;
     }
 
     // Creep of few blocks is not worth its cost unless they are left where they crept to: they jam sooner in the run.

@@ -22,6 +22,9 @@ struct StaticSolveSettings {
     // If no equilibrium is found, blocks are left where they have crept to when the first of them reaches the limit,
     // not in the most balanced state met.
     bool leave_crept;
+    // Whether blocks may stand on corners on corners, which have to hold them with either edge then
+    // (corner_choice.hpp).
+    bool corners_bear;
 };
 
 struct StaticSolution {
@@ -47,9 +50,10 @@ struct StaticSolution {
 // they creep. With more blocks, so many contacts would begin or end to slide or to touch in one solution that balance
 // would not improve. There, each step is solved until pseudo-viscosity balances the unbalanced forces, from the
 // memories that contacts had before it. Not only the blocks resist but also their contacts, including open ones, which
-// keeps them from fluttering; there are 2000 linear solutions at most. Where the force of a contact jumps even in a
-// very short step, the jump is accepted, up to 20 times, and balanced by the steps after it, unless there are bonds,
-// which it might break. If bonded blocks, fewer than 400 and not left to creep, find no balance, the solver tries again
+// keeps them from fluttering; there are 2000 linear solutions at most. What is left of a slow
+// motion that dies out is made at once (Aitken's extrapolation). Where the force of a contact jumps even in a very
+// short step, the jump is accepted, up to 20 times, and balanced by the steps after it, unless there are bonds, which
+// it might break. If bonded blocks, fewer than 400 and not left to creep, find no balance, the solver tries again
 // with loads that grow in eight steps.
 StaticSolution solve_statically(const Bodies& bodies, const std::vector<char>& held,
                                 const std::vector<Eigen::Vector3d>& loads, const StaticSolveSettings& settings,

@@ -35,9 +35,6 @@ class Simulation {
     Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from);
 
     void step();
-    // Called at rest: a balance that relies on corners on corners has yet to be found with the other edges
-    // (corner_choice.hpp). Returns whether a trial has begun or ended, so that the run has to go on.
-    bool try_corners();
     bool running() const { return outcome() == RelaxationOutcome::undecided && !out_of_time(); }
 
     RelaxationOutcome outcome() const { return static_cast<RelaxationOutcome>(state_.outcome); }
@@ -97,7 +94,11 @@ class Simulation {
     void detect_crack();
     bool holds_at_rest() const;
     std::vector<double> weights() const;  // N/m, of each block; infinite where it is held
-    bool held_by_corners();
+    bool corners_may_bear() const;
+    bool held_by_faces();
+    // Called at rest: what relies on corners on corners, and faces do not hold, has yet to rest on the other edges
+    // (corner_choice.hpp). Returns whether a trial has begun or ended, so that the run has to go on.
+    bool try_corners(const std::function<bool()>& faces_hold);
     bool moves_without_corners(bool forces_exist);
     bool carried_along();
     void let_blocks_rest();

@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <set>
 #include <utility>
 
 namespace delabole {
@@ -54,6 +57,8 @@ void Simulation::decide() {
                // The last step was made under the final loads.
                state_.time - state_.last_step > last_scheduled_time(scene_, settings_) && holds_at_rest();
     };
+    std::optional<bool> by_faces;
+    const auto faces_hold = [&] { return by_faces ? *by_faces : by_faces.emplace(held_by_faces()); };
     const MotionExtremes farthest = farthest_motion(bodies_, state_);
     const auto decide = [&](RelaxationOutcome outcome) { state_.outcome = static_cast<std::uint64_t>(outcome); };
     if (!std::isfinite(kinetic)) {
@@ -83,12 +88,12 @@ void Simulation::decide() {
                            std::ranges::find(state_.removed, has_left) != state_.removed.end();
     if (collapsed && (settings_.stop_at_collapse || last)) {
         decide(RelaxationOutcome::collapse);
-    } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners() &&
+    } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners(faces_hold) &&
                (last || settings_.stop_at_equilibrium)) {
         decide(collapsed                                           ? RelaxationOutcome::collapse
                : settings_.stop_at_onset && state_.onset_time >= 0 ? RelaxationOutcome::onset
-               : held_by_corners()                                 ? RelaxationOutcome::held_by_corners
-                                                                   : RelaxationOutcome::equilibrium);
+               : faces_hold()                                      ? RelaxationOutcome::equilibrium
+                                                                   : RelaxationOutcome::held_by_corners);
     } else if (last && state_.onset_time >= 0) {
         // Blocks have moved past the thresholds and have not come to rest since.
         decide(RelaxationOutcome::onset);
@@ -103,13 +108,22 @@ std::vector<double> Simulation::weights() const {
     return weight;
 }
 
-bool Simulation::try_corners() {
+bool Simulation::try_corners(const std::function<bool()>& faces_hold) {
     if (without_corners_) {
         return false;
     }
-    std::vector<std::uint32_t> concerned = end_trial({bodies_, state_.motion}, state_.contacts);
+    const CornerMotion blocks{bodies_, state_.motion};
+    std::vector<std::uint32_t> concerned = end_trial(blocks, state_.contacts);
     if (concerned.empty()) {
-        concerned = try_other_edges({bodies_, state_.motion}, weights(), state_.contacts);
+        ContactList exchanged = state_.contacts;
+        concerned = try_other_edges(blocks, weights(), exchanged);
+        if (!corners_may_bear() && !concerned.empty() && (settings_.creep || faces_hold())) {
+            note_tried(exchanged.memory, state_.contacts.memory);
+            concerned.clear();
+        } else {
+            state_.contacts = std::move(exchanged);
+            state_.held_by_corners.clear();
+        }
     }
     for (const std::uint32_t block : concerned) {
         state_.checks_at_rest[block] = 0;
@@ -118,16 +132,21 @@ bool Simulation::try_corners() {
     return !concerned.empty();
 }
 
-// Whether the faces alone cannot hold the blocks in their present positions and under the present loads; records the
-// blocks that would move. After onset only touching contacts count; before it, the faces of the initial geometry do,
-// because a minute rotation opens one end of them or the other. Forces of faces that suffice are no proof, because
-// friction does not dilate as the linear programme supposes: the blocks have to stay when the corners give way, too.
-// Cases that the programme cannot solve are left to that trial, or held by corners if none gives way in it; and a belt,
-// whose resistance changes direction with the motion, counts as held by the faces.
-bool Simulation::held_by_corners() {
-    if (settings_.corners_bear || scene_.belt || without_corners_ ||
+// Whether blocks may stand on corners, because the case says so or because statics cannot tell what faces hold: a
+// belt's resistance changes direction with the motion.
+bool Simulation::corners_may_bear() const {
+    return settings_.corners_bear || scene_.belt;
+}
+
+// Whether the faces alone hold the blocks in their present positions and under the present loads, or corners may bear;
+// records the blocks that would move. After onset only touching contacts count; before it, the faces of the initial
+// geometry do, because a minute rotation opens one end of them or the other. Forces of faces that suffice are no proof,
+// because friction does not dilate as the linear programme supposes: the blocks have to stay when the corners give way,
+// too. Cases that the programme cannot solve are left to that trial, or held by corners if none gives way in it.
+bool Simulation::held_by_faces() {
+    if (corners_may_bear() || without_corners_ ||
         !relies_on_corners({bodies_, state_.motion}, weights(), state_.contacts)) {
-        return false;
+        return true;
     }
     std::vector<SharedFace> faces;
     if (state_.onset_time < 0) {
@@ -142,7 +161,7 @@ bool Simulation::held_by_corners() {
     add_corners_on_edges(blocks, state_.contacts, made);
     const LeastImbalance found = least_imbalance(made.assembly);
     if (found.status != LpStatus::optimal || found.stands()) {
-        return moves_without_corners(found.status == LpStatus::optimal);
+        return !moves_without_corners(found.status == LpStatus::optimal);
     }
     constexpr double moves = 1e-3;  // of the greatest displacement
     state_.held_by_corners.assign(bodies_.size(), 0);
@@ -153,7 +172,7 @@ bool Simulation::held_by_corners() {
             state_.held_by_corners[block] = 1;
         }
     }
-    return true;
+    return false;
 }
 
 // Whether blocks move on when every corner that bears on a corner gives way, and those that bear next, too; records
@@ -168,8 +187,9 @@ bool Simulation::moves_without_corners(bool forces_exist) {
     settings.duration += state_.time;
     settings.most_steps = std::numeric_limits<std::size_t>::max();
     ConsolidatedState from{state_};
+    std::set<std::pair<std::uint32_t, std::uint32_t>> given_way;
     for (int round = 0; round < most_rounds; ++round) {
-        if (!give_way_at_corners({bodies_, from.at_rest.motion}, weights(), from.at_rest.contacts)) {
+        if (!give_way_at_corners({bodies_, from.at_rest.motion}, weights(), from.at_rest.contacts, given_way)) {
             return round == 0 && !forces_exist;
         }
         Simulation trial(scene_, settings, from);

@@ -1,5 +1,4 @@
 // The static start of a run, runs that begin from a state at rest, and blocks that are absent at the start.
-#include "dynamic_relaxation/contact/corner_choice.hpp"
 #include "dynamic_relaxation/statics/static_solver.hpp"
 #include "dynamic_relaxation/step/loads.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
@@ -77,6 +76,7 @@ StaticSolveSettings Simulation::static_solve_settings() const {
     limits.finest = rest_ratio() / 1000;
     // Blocks that jam only after they have leaned a little move farther here than between two searches of the run.
     limits.farthest = 5 * margin_;
+    limits.corners_bear = corners_may_bear();
     if (last_scheduled_time(scene_, settings_) <= state_.time) {
         // Creep without a balance shows nothing but onset: it may stop earlier if the blocks are put back after it.
         constexpr double jammed_by_then = 0.01;

@@ -57,10 +57,6 @@ RelaxationState since_initial_geometry(RelaxationState state) {
 // Whether statics has to say if the blocks stand in the initial geometry: their run has no verdict, or they came to
 // rest after motion by which they may have jammed.
 bool leaves_open(RelaxationOutcome outcome, const RelaxationScene& scene, const RelaxationState& state) {
-    constexpr std::size_t most_blocks = 700;  // linear programmes of more take minutes
-    if (scene.block.size() > most_blocks) {
-        return false;
-    }
     if (outcome == RelaxationOutcome::equilibrium) {
         const MotionExtremes farthest = farthest_motion(make_bodies(scene), since_initial_geometry(state));
         constexpr double beyond_settlement = 0.002;  // rad, or of a radius: blocks as stiff as usual settle by a third

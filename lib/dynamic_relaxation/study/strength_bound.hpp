@@ -20,13 +20,15 @@ namespace delabole {
 // a face, under the initial loads; fixed blocks are the base. Contacts of corners on corners do not count: where there
 // are many, as where joint sets cross, a slope may stand slightly above this factor (the published problem RJ-5,
 // without cohesion, by 2 %). Each end of a face has half of its tensile strength, which is more than an elastic section
-// has; bonded rock has its own strength if that is more than the joint's. Empty if anything is scheduled for later.
-// Infinite if blocks stand without strength, 0 if no strength is enough. Time: 10 to 60 linear programmes; 0.1 s for 60
-// blocks, 20 s for 450.
+// has; bonded rock has its own strength if that is more than the joint's.
+//
+// Infinite if blocks stand without strength; 0 if a hundred times their strength is not enough; empty if anything is
+// scheduled for later, or if a linear programme has no answer. Relative accuracy 1e-6. Time: some 20 linear programmes
+// (`least_imbalance`).
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
                                                   const std::atomic<bool>* stop = nullptr);
 
-// Whether no such forces exist at the scene's strength, though they would at a thousand times that: blocks that touch
+// Whether no such forces exist at the scene's strength, though they would at a hundred times that: blocks that touch
 // nothing at first are held at no strength, and may well come to rest on what they meet. False where there is no
 // answer.
 bool lacks_forces(const RelaxationScene& scene);

@@ -3,7 +3,6 @@
 //
 // At an end with normal force N and shear T the cone |T| <= N tan(phi), N >= 0 is spanned by its two edges
 // (sin phi, cos phi) and (-sin phi, cos phi), so that N and T are two non-negative unknowns; any resultant that lies
-// (sin phi, cos phi) and (-sin phi, cos phi), so that N and T are two non-negative unknowns; any resultant that lies
 // within the face is a pair of end forces. Cohesion adds a shear of at most c times the length of the face, wherever
 // the face opens. Tensile strength adds a tension of at most half of the face's at each end. All of this is linear,
 // hence a linear programme; its dual is a mechanism, one displacement and rotation of each body, in which sliding faces
@@ -105,9 +104,10 @@ struct LeastImbalance {
     bool stands() const { return sum <= 1e-7; }
 };
 
-// Whether the assembly stands under its own weights and loads. This takes a small part of the time of a bound, because
-// the interior-point method also solves problems in which forces exist for any load: 0.03 s for 200 bodies, 0.3 s for
-// 1500. Bodies lighter than 1e-7 of the mean weight have no noticeable effect.
-LeastImbalance least_imbalance(const Assembly& assembly);
+// Whether the assembly stands under its own weights and loads with all strength multiplied by `strength`, as in
+// least_strength_factor. This takes a small part of the time of a bound, because the interior-point method also solves
+// problems in which forces exist for any load: 0.03 s for 200 bodies, 0.3 s for 1500. Bodies lighter than 1e-7 of the
+// mean weight have no noticeable effect.
+LeastImbalance least_imbalance(const Assembly& assembly, double strength = 1);
 
 }  // namespace delabole
