@@ -164,7 +164,7 @@ void collect(const CuttingWork& work, JointedSection& section) {
 }  // namespace
 
 JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
-                         const std::vector<std::string>& joints) {
+                         const std::vector<std::string>& joints, const std::vector<std::size_t>& rank) {
     JointedSection section;
     const auto refuse = [&](SlopeCheck check, std::size_t index = 0) {
         JointedSection refused;
@@ -198,6 +198,7 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
         return refuse(SlopeCheck::outline_crosses_itself, static_cast<std::size_t>(corner - geometry.outline.begin()));
     }
     CuttingWork work{SectionMesh(outline, 0), origin, section.snap_distance, datum_of(outline, origin)};
+    work.rank = rank;
     divide_into_convex(work.mesh, work.snap);
     Cutter cutter(work, rocks, joints);
     for (std::size_t index = 0; index < geometry.cut.size(); ++index) {

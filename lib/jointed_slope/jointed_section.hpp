@@ -84,9 +84,10 @@ struct JointedSection {
 };
 
 // `rocks` and `joints` are the names to whose indices blocks refer; there is at least one of each. The whole section is
-// of the first rock unless a line assigns another.
+// of the first rock unless a line assigns another. `rank`: of each joint, the higher the stronger it is; where two run
+// along each other, and around slivers, the weaker one counts. Absent: all are equally strong.
 JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
-                         const std::vector<std::string>& joints);
+                         const std::vector<std::string>& joints, const std::vector<std::size_t>& rank = {});
 
 Polygon<> outline_of(const JointedSection& section, const SlopeBlock& block);
 

@@ -67,22 +67,26 @@ MeshIndex face_around(const SectionMesh& mesh, const PlanePoint<>& point, double
     return no_index;
 }
 
-// Puts a vertex at a point that lies on an edge.
+// Puts a vertex on an edge at a point that lies on it; returns false if it does not.
+bool put_vertex(SectionMesh& mesh, MeshIndex edge, const PlanePoint<>& point, double snap) {
+    const PlanePoint<> direction = (mesh.end(edge) - mesh.start(edge)).normalized();
+    const PlanePoint<> from_start = point - mesh.start(edge);
+    const double passed = direction.dot(from_start);
+    const double left = direction.dot(mesh.end(edge) - point);
+    if (!(std::abs(left_of(direction).dot(from_start)) < snap && passed > snap && left > snap)) {
+        return false;
+    }
+    // The point must lie on the original edge, from which a snapped cut may deviate slightly.
+    const MeshSegment& segment = mesh.segment_of(edge);
+    mesh.split_edge(edge, point_between(segment, std::abs(direction.dot(point - segment.first)),
+                                        std::abs(direction.dot(segment.second - point))));
+    return true;
+}
+
 void put_vertex(SectionMesh& mesh, const PlanePoint<>& point, double snap) {
     const auto edges = static_cast<MeshIndex>(mesh.edge_count());
     for (MeshIndex edge = 0; edge < edges; ++edge) {
-        if (mesh.edge(edge).face == no_index) {
-            continue;
-        }
-        const PlanePoint<> direction = (mesh.end(edge) - mesh.start(edge)).normalized();
-        const PlanePoint<> from_start = point - mesh.start(edge);
-        const double passed = direction.dot(from_start);
-        const double left = direction.dot(mesh.end(edge) - point);
-        if (std::abs(left_of(direction).dot(from_start)) < snap && passed > snap && left > snap) {
-            // The point must lie on the original edge, from which a snapped cut may deviate slightly.
-            const MeshSegment& segment = mesh.segment_of(edge);
-            mesh.split_edge(edge, point_between(segment, std::abs(direction.dot(point - segment.first)),
-                                                std::abs(direction.dot(segment.second - point))));
+        if (mesh.edge(edge).face != no_index && put_vertex(mesh, edge, point, snap)) {
             return;
         }
     }
@@ -134,6 +138,21 @@ void give_rocks(CuttingWork& work, const Polyline& middle, double half_thickness
     }
 }
 
+// Points at which a line does not bend would divide blocks.
+void remove_straight(Polyline& middle, double snap) {
+    constexpr double straight = 1e-3;  // of the snap distance
+    for (std::size_t index = 1; index + 1 < middle.size();) {
+        const StraightLine chord = line_through(middle[index - 1], middle[index + 1]);
+        const double place = chord.place(middle[index]);
+        if (std::abs(chord.distance(middle[index])) < straight * snap && place > chord.place(middle[index - 1]) &&
+            place < chord.place(middle[index + 1])) {
+            middle.erase(middle.begin() + static_cast<std::ptrdiff_t>(index));
+        } else {
+            ++index;
+        }
+    }
+}
+
 // Cuts the blocks that a line crosses from side to side.
 CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint) {
     CutCount count;
@@ -143,10 +162,20 @@ CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint) {
         // A cut ends at the corner to which a bend has snapped.
         const double first = straight.place(line[piece - 1]) - 2 * work.snap;
         const double last = straight.place(line[piece]) + 2 * work.snap;
+        const auto reaches = [&](double from, double to) { return from >= first && to <= last; };
+        for (MeshIndex edge = 0; edge < mesh.edge_count(); ++edge) {
+            for (const PlanePoint<>& end : {line[piece - 1], line[piece]}) {
+                if (mesh.edge(edge).face != no_index && work.is_stronger_along(edge, straight, joint)) {
+                    put_vertex(mesh, edge, end, work.snap);
+                }
+            }
+            if (mesh.edge(edge).face != no_index) {
+                work.weaken(edge, straight, joint, reaches);
+            }
+        }
         const std::size_t before = mesh.face_count();
         for (MeshIndex face = 0; face < before; ++face) {
-            const FaceCutResult result = cut_face(mesh, face, straight, work.snap, joint,
-                                                  [&](double from, double to) { return from >= first && to <= last; });
+            const FaceCutResult result = cut_face(mesh, face, straight, work.snap, joint, reaches);
             count.made += result.cut == FaceCut::made ? 1 : 0;
             if (result.cut == FaceCut::dropped) {
                 const Chord chord = *find_chord(mesh, face, straight, work.snap);
@@ -234,6 +263,7 @@ CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line,
             middle.push_back(at);
         }
     }
+    remove_straight(middle, work.snap);
     if (middle.size() < 2) {
         check = SlopeCheck::line_too_short;
         return count;

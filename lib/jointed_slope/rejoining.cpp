@@ -69,14 +69,31 @@ bool locks_a_joint(const SectionMesh& mesh, MeshIndex edge) {
     return !mesh.shares_only(edge, intact_rock) && mesh.joint_runs_on(edge);
 }
 
+// Whether the weakest joint around a sliver is found only on its boundary with the neighbour at an edge: blocks could
+// no longer slide along it if both became one block.
+bool has_the_weakest_joint(const CuttingWork& work, MeshIndex face, MeshIndex edge) {
+    const SectionMesh& mesh = work.mesh;
+    const MeshIndex neighbour = mesh.edge(mesh.edge(edge).twin).face;
+    std::size_t here = no_index;
+    std::size_t elsewhere = no_index;
+    mesh.for_each_edge(face, [&](MeshIndex of_sliver) {
+        const MeshIndex twin = mesh.edge(of_sliver).twin;
+        std::size_t& least = twin != no_index && mesh.edge(twin).face == neighbour ? here : elsewhere;
+        least = std::min(least, twin == no_index ? no_index : work.rank_of(mesh.edge(of_sliver).joint));
+    });
+    return here < elsewhere && elsewhere != no_index;
+}
+
 // Merges a sliver into the neighbour with the longest common boundary among those with which it forms a convex block
 // that locks no joint.
-bool merge_sliver(SectionMesh& mesh, MeshIndex face) {
+bool merge_sliver(CuttingWork& work, MeshIndex face) {
+    SectionMesh& mesh = work.mesh;
     MeshIndex best = no_index;
     double longest = 0;
     mesh.for_each_edge(face, [&](MeshIndex edge) {
         const MeshIndex twin = mesh.edge(edge).twin;
-        if (twin == no_index || !same_rock(mesh, edge) || !mesh.union_is_convex(twin) || locks_a_joint(mesh, twin)) {
+        if (twin == no_index || !same_rock(mesh, edge) || !mesh.union_is_convex(twin) || locks_a_joint(mesh, twin) ||
+            has_the_weakest_joint(work, face, edge)) {
             return;
         }
         const double length = mesh.shared_length(edge);
@@ -134,7 +151,7 @@ void merge_slivers(CuttingWork& work, double share, JointedSection& section) {
         }
     };
     for_each_sliver(
-        [&](MeshIndex face, const Polygon<>&, double) { section.slivers_merged += merge_sliver(mesh, face) ? 1 : 0; });
+        [&](MeshIndex face, const Polygon<>&, double) { section.slivers_merged += merge_sliver(work, face) ? 1 : 0; });
     for_each_sliver([&](MeshIndex face, const Polygon<>& outline, double area) {
         if (is_part_of_a_block(mesh, face)) {
             return;

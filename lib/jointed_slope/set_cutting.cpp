@@ -211,6 +211,16 @@ CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& se
             return JointsInFace{face, shift, begin - made.position.begin(), end - made.position.begin()};
         };
         to_cut.push_back(joints_between(own.lowest, own.highest));
+        mesh.for_each_edge(face, [&](MeshIndex edge) {
+            const double at = (upright.distance(mesh.start(edge)) + upright.distance(mesh.end(edge))) / 2 - shift;
+            const auto found = std::ranges::lower_bound(made.position, at - work.snap);
+            if (found != made.position.end()) {
+                const StraightLine line{upright.normal, upright.along, *found + shift};
+                work.weaken(edge, line, joint, [&](double first, double last) {
+                    return reach.contains(line, first_number + (found - made.position.begin()), first, last);
+                });
+            }
+        });
         // The joints are counted before any cut, so that a refusal takes less time than a section. No joint cuts beyond
         // its region.
         const JointsInFace allowed = joints_between(std::max(own.lowest, in_region.lowest - work.snap),

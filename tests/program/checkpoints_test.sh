@@ -20,7 +20,7 @@ parameter = "friction"
 lower = "5 deg"
 upper = "60 deg"
 EOF
-settings=(--set scene.base.friction_angle="9.5 deg" --set settings.collapse_displacement=20 --set settings.step_fraction=0.02)
+settings=(--set scene.base.friction_angle="9.5 deg" --set settings.collapse_displacement=20 --set settings.step_fraction=0.04)
 
 # Everything in a result folder that does not depend on the time when it was made.
 answers() {

@@ -49,6 +49,14 @@ expect "and the case that was analysed holds it" refuse cmp -s \
 delabole run support.toml --set support_design.choose='[{ input = "support[1].rows", from = 3, to = 5, points = 3 }]' \
     --no-report
 expect_output '; cheaper ones may lie beyond the range of support[1].rows.'
+delabole grid support.toml --vary 'rock.unit_weight=26 kN/m3,27 kN/m3' --out grid_of_support
+expect_status 0
+expect_output 'Of 180 patterns the cheapest for FS 2'
+weight=$(sed -n "/^unit_weight/s/.*= \"\([0-9]*\).*/\1/p" support.toml | head -n 1)
+expect "a grid has the same pattern as the run" test "$(awk -F, -v at="$weight" '$1 == at { printf "%.6g", $2 }' \
+    grid_of_support/grid.csv)" == "$(awk -F'[:, ]+' '/"factor_of_safety"/ { printf "%.6g", $3; exit }' support/result.json)"
+delabole compare support.toml support.toml --out same_support
+expect_status 0
 delabole run support.toml --set support_design.factor_of_safety=50 --out too_much
 expect_status 0
 expect_output 'None of 180 patterns gives FS 50 (choose beyond the range of support[1].rows and support[1].spacing, or '

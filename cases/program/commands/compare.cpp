@@ -8,6 +8,7 @@
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "cases/program/results/result_folder.hpp"
+#include "cases/program/sweeps/support_report.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "fitting/work/words.hpp"
 
@@ -197,6 +198,7 @@ ExitCode compare_command(const Paths& cases, const Options& options) {
     std::vector<CaseFile> files;
     for (const std::filesystem::path& path : cases) {
         files.push_back(read_case(path, settings_of(options)));
+        design_support_of(files.back(), [](double) { return !interrupt_flag(); });
     }
     show_units_of(files.front());
     std::vector<Analysed> both;

@@ -3,7 +3,9 @@
 #include "cases/program/reader/document.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/study_output.hpp"
+#include "cases/program/sweeps/support_report.hpp"
 #include "cases/program/sweeps/sweep_report.hpp"
+#include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
 #include "fitting/work/bare_number.hpp"
 #include "fitting/work/words.hpp"
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -165,6 +168,7 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
     const Stopwatch watch;
     CaseFile file = read_case_with_sweep(path, options);
     show_units_of(file);
+    const std::optional<DesignedSupport> support = design_support_of(file, [](double) { return !interrupt_flag(); });
     CaseSweep& sweep = file.sweeps.front();
     sweep.title = grid_title(sweep);
     sweep.caption = "All points are in grid.csv.";
@@ -179,6 +183,9 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
     Report own;
     document_sweep(run, folder, own);
     HeadCard head = grid_answer(run);
+    if (support) {
+        add_to_head(*support, head);
+    }
     take_picture(own.blocks, head);
     report.blocks.emplace_back(head);
     std::ranges::move(own.blocks, std::back_inserter(report.blocks));
@@ -190,8 +197,9 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
     json["points"] = json_of(run);
     json["provenance"] = provenance(file, "grid", options, watch.seconds());
     const std::size_t points = run.figures.front().curves.front().values.size();
-    return write_study({file, json, screen_of(run) + std::to_string(points) + " points in grid.csv\n", ""}, folder,
-                       options, report);
+    const std::string of_support = support ? support->sentence + '\n' : "";
+    return write_study({file, json, screen_of(run) + of_support + std::to_string(points) + " points in grid.csv\n", ""},
+                       folder, options, report);
 }
 
 }  // namespace delabole

@@ -216,6 +216,7 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     const PlanePoint<>& one = bodies_.along[edge_number];
     const PlanePoint<>& two = bodies_.along[beyond];
     const double sine = std::abs(one.x() * two.y() - one.y() * two.x());
+    const bool on_both = rival && !alone && sine < least_bend && std::abs(from_end) < at_tip * shortest_;
     double bend = 0;  // on which a tip stands that bears on this edge alone
     if (rival && std::abs(from_end) < at_tip * shortest_) {
         const double dip = dip_below(corner_number, edge_number);
@@ -229,7 +230,7 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
             bend = dip < -into_the_block ? sense * sine : 0;
         }
     }
-    ContactLaw law = law_between(block, corner, other, edge);
+    ContactLaw law = law_between(block, corner, other, edge, on_both ? std::optional(beyond) : std::nullopt);
     law.rival_sine = bend;
     if (rival) {
         law.rival = sense;
@@ -347,7 +348,8 @@ RelaxationContact PairSearch::contact_of(std::size_t corner, std::size_t edge) c
     return contact;
 }
 
-ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
+ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge,
+                                   std::optional<std::size_t> beyond) const {
     const PlanePoint<>& to_next = block.along[corner];
     const PlanePoint<> to_previous = -block.along[block.before(corner)];
     const PlanePoint<> normal = other.normal(edge);
@@ -362,7 +364,16 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     law.start_weight = std::max(next, previous) > lean ? 0.5 : -0.5;
     law.end_weight = -std::min(next, previous) > lean ? 0.5 : -0.5;
     law.inverse_blend = 1 / (2 * (blend_length * shortest_));
-    const std::size_t weaker = weaker_joint(scene_, bodies_, block.begin + face, other.begin + edge);
+    std::size_t weaker = weaker_joint(scene_, bodies_, block.begin + face, other.begin + edge);
+    const double length = bodies_.length[other.begin + edge];
+    if (beyond && shared_length(block, face, other, edge, length) < at_tip * shortest_) {
+        // Joints cross here at so small an angle that they are one face. Blocks on opposite sides of both meet in this
+        // point alone, and slide along the weaker joint.
+        for (const std::size_t there : {block.begin + corner, block.begin + block.before(corner), *beyond}) {
+            const std::size_t material = bodies_.material[there];
+            weaker = friction_[material] < friction_[weaker] ? material : weaker;
+        }
+    }
     const JointMaterial& joint = scene_.material[weaker];
     law.normal_stiffness = joint.normal_stiffness;
     law.shear_stiffness = joint.shear_stiffness;
@@ -372,7 +383,7 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     law.friction = friction_[weaker];
     law.residual_friction = residual_friction_[weaker];
     if (joint.cohesion != 0 || joint.tensile_strength != 0) {
-        const double half_shared = shared_length(block, face, other, edge, bodies_.length[other.begin + edge]) / 2;
+        const double half_shared = shared_length(block, face, other, edge, length) / 2;
         law.cohesion = joint.cohesion * half_shared;
         law.residual_cohesion = joint.residual_cohesion * half_shared;
         law.tension = joint.tensile_strength * half_shared;

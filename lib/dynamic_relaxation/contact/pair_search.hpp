@@ -97,7 +97,9 @@ class PairSearch {
     double dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const;
     double dip_below(std::size_t corner, std::size_t edge) const;
     RelaxationContact contact_of(std::size_t corner, std::size_t edge) const;
-    ContactLaw law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;
+    // `beyond`: an edge that goes on as one face where the corner is.
+    ContactLaw law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge,
+                           std::optional<std::size_t> beyond) const;
     static double shared_length(const Side& block, std::size_t face, const Side& other, std::size_t edge,
                                 double length);
     void pair_twins(PairContacts& found) const;

@@ -4,6 +4,8 @@
 #include "dynamic_relaxation/scene/straight_vertices.hpp"
 #include "dynamic_relaxation/scene/water_table.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,6 +30,19 @@ std::optional<std::size_t> index_of(const std::vector<std::string>& names, const
     return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
+// For each joint, how many are weaker: of two, the one with less friction, or else with less cohesion.
+std::vector<std::size_t> ranks_of(const std::vector<SlopeJoint>& joints) {
+    const auto strength = [](const SlopeJoint& joint) {
+        return std::pair(joint.strength.friction_angle, joint.strength.cohesion.value_or(0));
+    };
+    std::vector<std::size_t> ranks;
+    for (const SlopeJoint& joint : joints) {
+        const auto is_weaker = [&](const SlopeJoint& other) { return strength(other) < strength(joint); };
+        ranks.push_back(static_cast<std::size_t>(std::ranges::count_if(joints, is_weaker)));
+    }
+    return ranks;
+}
+
 Polygon<> polygon_of(const std::vector<SectionPoint>& area) {
     Polygon<> polygon;
     polygon.reserve(area.size());
@@ -46,38 +61,21 @@ std::vector<Polygon<>> polygons_of(const auto& areas) {
     return polygons;
 }
 
-struct Bounds {
-    double left = std::numeric_limits<double>::infinity();
-    double right = -std::numeric_limits<double>::infinity();
-    double bottom = std::numeric_limits<double>::infinity();
-    double top = -std::numeric_limits<double>::infinity();
-};
-
-Bounds bounds_of(const std::vector<PlanePoint<>>& points) {
-    Bounds bounds;
-    for (const PlanePoint<>& point : points) {
-        bounds.left = std::min(bounds.left, point.x());
-        bounds.right = std::max(bounds.right, point.x());
-        bounds.bottom = std::min(bounds.bottom, point.y());
-        bounds.top = std::max(bounds.top, point.y());
-    }
-    return bounds;
-}
-
 // A section is needed several times in a row for the same geometry: to check a case, to name its outputs, for each run
 // of a fit. Each thread keeps its last section.
 const JointedSection& section_of(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
-                                 const std::vector<std::string>& joints) {
+                                 const std::vector<std::string>& joints, const std::vector<std::size_t>& rank) {
     struct Kept {
         SlopeGeometry geometry;
         std::vector<std::string> rocks;
         std::vector<std::string> joints;
+        std::vector<std::size_t> rank;
         JointedSection section;
     };
     thread_local std::optional<Kept> kept;
-    if (!kept || kept->rocks != rocks || kept->joints != joints || kept->geometry != geometry) {
+    if (!kept || kept->rocks != rocks || kept->joints != joints || kept->rank != rank || kept->geometry != geometry) {
         kept.reset();
-        kept.emplace(Kept{geometry, rocks, joints, cut_slope(geometry, rocks, joints)});
+        kept.emplace(Kept{geometry, rocks, joints, rank, cut_slope(geometry, rocks, joints, rank)});
     }
     return kept->section;
 }
@@ -88,7 +86,7 @@ class SlopeSceneMaker {
         : slope_(slope), joints_(names_of(slope.joint)), rocks_(names_of(slope.rock)) {}
 
     SlopeScene make() {
-        scene_.section = section_of(slope_.geometry, rocks_, joints_);
+        scene_.section = section_of(slope_.geometry, rocks_, joints_, ranks_of(slope_.joint));
         if (section().check != SlopeCheck::valid) {
             return refused(section().check, section().index_at_fault);
         }
@@ -96,7 +94,9 @@ class SlopeSceneMaker {
         if (check != SlopeCheck::valid) {
             return refused(check, index_at_fault_);
         }
-        bounds_ = bounds_of(section().vertex);
+        for (const PlanePoint<>& vertex : section().vertex) {
+            bounds_.extend(vertex);
+        }
         add_blocks();
         if (slope_.frame && !add_frame()) {
             return refused(SlopeCheck::frame_without_edge, 0);
@@ -184,7 +184,7 @@ class SlopeSceneMaker {
                     fixed = used_[area] = true;
                 }
             }
-            const double level = std::round((centre.y() - bounds_.bottom) / section().snap_distance);
+            const double level = std::round((centre.y() - bounds_.min().y()) / section().snap_distance);
             order.push_back({fixed, level, centre.x(), centre.y(), index});
         }
         std::sort(order.begin(), order.end(),
@@ -262,9 +262,9 @@ class SlopeSceneMaker {
         const auto along = [&](double one, double other, double side) {
             return std::abs(one - side) < near && std::abs(other - side) < near;
         };
-        const bool below = along(from.y(), to.y(), bounds_.bottom);
-        const bool behind = has(FrameSides::below_and_behind) && along(from.x(), to.x(), bounds_.right);
-        const bool in_front = has(FrameSides::all_around) && along(from.x(), to.x(), bounds_.left);
+        const bool below = along(from.y(), to.y(), bounds_.min().y());
+        const bool behind = has(FrameSides::below_and_behind) && along(from.x(), to.x(), bounds_.max().x());
+        const bool in_front = has(FrameSides::all_around) && along(from.x(), to.x(), bounds_.min().x());
         const auto note = [](Side& side, bool there, double top) {
             side.there = side.there || there;
             side.top = there ? std::max(side.top, top) : side.top;
@@ -284,14 +284,14 @@ class SlopeSceneMaker {
             return false;
         }
         const double reach = frame.reach.value_or(0);
-        const double left = bounds_.left - (in_front ? frame.thickness : reach);
-        const double right = bounds_.right + (behind ? frame.thickness : reach);
-        add_frame_block(upright_rectangle(left, bounds_.bottom - frame.thickness, right, bounds_.bottom));
+        const double left = bounds_.min().x() - (in_front ? frame.thickness : reach);
+        const double right = bounds_.max().x() + (behind ? frame.thickness : reach);
+        add_frame_block(upright_rectangle(left, bounds_.min().y() - frame.thickness, right, bounds_.min().y()));
         if (behind) {
-            add_frame_block(upright_rectangle(bounds_.right, bounds_.bottom, right, behind_.top));
+            add_frame_block(upright_rectangle(bounds_.max().x(), bounds_.min().y(), right, behind_.top));
         }
         if (in_front) {
-            add_frame_block(upright_rectangle(left, bounds_.bottom, bounds_.left, in_front_.top));
+            add_frame_block(upright_rectangle(left, bounds_.min().y(), bounds_.min().x(), in_front_.top));
         }
         return true;
     }
@@ -313,7 +313,7 @@ class SlopeSceneMaker {
     std::vector<std::string> joints_;
     std::vector<std::string> rocks_;
     SlopeScene scene_ = {};
-    Bounds bounds_ = {};
+    Eigen::AlignedBox2d bounds_ = {};
     std::optional<std::size_t> intact_ = {};
     std::optional<std::size_t> frame_joint_ = {};
     std::size_t index_at_fault_ = 0;

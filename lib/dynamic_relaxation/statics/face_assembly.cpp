@@ -112,8 +112,8 @@ void add_tips(const BlocksUnderLoad& blocks, std::size_t block, std::size_t othe
               Assembly& assembly) {
     const Bodies& bodies = blocks.bodies;
     const double tolerance = closed_joint * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
-    const auto friction_of = [&](std::size_t edge, std::size_t other_edge) {
-        return blocks.scene.material[weaker_joint(blocks.scene, bodies, edge, other_edge)].friction_angle;
+    const auto friction_on = [&](std::size_t edge) {
+        return blocks.scene.material[bodies.material[edge]].friction_angle;
     };
     const auto goes_on = [&](std::size_t edge, std::size_t beyond) {
         const PlanePoint<>& one = bodies.along[edge];
@@ -130,8 +130,15 @@ void add_tips(const BlocksUnderLoad& blocks, std::size_t block, std::size_t othe
             const PlanePoint<> point = bodies.centroid[block] + bodies.corner[corner];
             const double place = along.dot(point - start);
             if (std::abs(bodies.normal(edge).dot(point - start)) <= tolerance && place > first && place < last) {
-                const double friction =
-                    std::max(friction_of(corner, edge), friction_of(bodies.range[block].before(corner), edge));
+                const double one = friction_on(corner);
+                const double two = friction_on(bodies.range[block].before(corner));
+                double friction = std::min(std::max(one, two), friction_on(edge));
+                // On an edge that goes on as one face beyond this point, the weakest joint that meets there counts.
+                if (place < tolerance) {
+                    friction = std::min({one, two, friction, friction_on(bodies.range[other].before(edge))});
+                } else if (place > bodies.length[edge] - tolerance) {
+                    friction = std::min({one, two, friction, friction_on(bodies.range[other].after(edge))});
+                }
                 add_face(body[block], body[other], point, half_of_point(bodies, block, other) * along, {friction, 0, 0},
                          assembly);
             }

@@ -339,7 +339,7 @@ class StaticSolver {
                 continue;
             }
             memory = list.memory;
-            if (step.balanced && end_slow_motion(start, best, unbalanced_before, step.moved, memory, motion, list)) {
+            if (step.balanced && go_on_alike(start, best, unbalanced_before, step.moved, memory, motion, list)) {
                 memory = list.memory;
             }
             const double ratio_before = std::exchange(ratio, equations_.unbalanced_ratio());
@@ -359,30 +359,45 @@ class StaticSolver {
         return best;
     }
 
-    // Blocks that are near to the limit of stability approach their balance in a slow motion that dies out: each step
-    // leaves the same share of the imbalance. The rest of that motion is made at once where it takes imbalance away.
-    bool end_slow_motion(const std::vector<Motion>& start, const StaticSolution& met,
-                         const Eigen::VectorXd& unbalanced_before, const Eigen::VectorXd& moved,
-                         const MemoryArray& memory, std::vector<Motion>& motion, ContactList& list) {
+    // Near the limit of stability each step leaves much the same imbalance: blocks approach their balance in a slow
+    // motion that dies out, or creep at a steady rate. The rest of the former, or many steps of the latter, are made at
+    // once if they leave little imbalance.
+    bool go_on_alike(const std::vector<Motion>& start, const StaticSolution& met,
+                     const Eigen::VectorXd& unbalanced_before, const Eigen::VectorXd& moved, const MemoryArray& memory,
+                     std::vector<Motion>& motion, ContactList& list) {
         constexpr double slow = 0.5;
+        constexpr double steady = 0.9;
         constexpr double alike = 0.9;  // cosine of the angle between the imbalances before and after the step
         constexpr double better = 0.75;
+        constexpr double corrected_soon = 10;  // imbalance over that of steady creep
         const Eigen::VectorXd left = equations_.unbalanced();
         const double common = left.dot(unbalanced_before);
         const double share = common / unbalanced_before.squaredNorm();
-        if (!(share > slow && share < 1 && common > alike * left.norm() * unbalanced_before.norm())) {
+        if (!(share > slow && common > alike * left.norm() * unbalanced_before.norm())) {
             return false;
         }
-        const std::vector<Motion> before = motion;
-        equations_.move(share / (1 - share) * moved, motion);
-        equations_.evaluate(motion, memory, list);
-        if (equations_.mean_ratio(equations_.unbalanced()) < better * equations_.mean_ratio(left) &&
-            share_of_limits(start, met, motion) < 1) {
+        const auto go_on = [&](double steps, double most_left) {
+            const std::vector<Motion> before = motion;
+            equations_.move(steps * moved, motion);
+            if (share_of_limits(start, met, motion) < 1) {
+                equations_.evaluate(motion, memory, list);
+                if (equations_.mean_ratio(equations_.unbalanced()) < most_left * equations_.mean_ratio(left)) {
+                    return true;
+                }
+            }
+            motion = before;
+            equations_.evaluate(motion, memory, list);
+            return false;
+        };
+        if (share < 1 && go_on(share / (1 - share), better)) {
             return true;
         }
-        motion = before;
-        equations_.evaluate(motion, memory, list);
-        return false;
+        if (!creeps() || share < steady) {
+            return false;
+        }
+        const bool goes_on = go_on(steps_at_once_, corrected_soon);
+        steps_at_once_ = goes_on ? 2 * steps_at_once_ : std::max(steps_at_once_ / 4, 1.0);
+        return goes_on;
     }
 
     // Creep of few blocks is not worth its cost unless they are left where they crept to: they jam sooner in the run.
@@ -432,6 +447,7 @@ class StaticSolver {
     const Bonds& bonds_;
     StaticEquations& equations_;
     bool is_small_;
+    double steps_at_once_ = 8;  // of steady creep
 };
 
 }  // namespace

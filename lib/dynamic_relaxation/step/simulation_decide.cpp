@@ -114,10 +114,11 @@ bool Simulation::try_corners(const std::function<bool()>& faces_hold) {
     }
     const CornerMotion blocks{bodies_, state_.motion};
     std::vector<std::uint32_t> concerned = end_trial(blocks, state_.contacts);
-    if (concerned.empty()) {
+    // In a search the faces have to hold the blocks, with whichever edges corners bear.
+    if (concerned.empty() && (corners_may_bear() || !settings_.creep)) {
         ContactList exchanged = state_.contacts;
         concerned = try_other_edges(blocks, weights(), exchanged);
-        if (!corners_may_bear() && !concerned.empty() && (settings_.creep || faces_hold())) {
+        if (!corners_may_bear() && !concerned.empty() && faces_hold()) {
             note_tried(exchanged.memory, state_.contacts.memory);
             concerned.clear();
         } else {

@@ -23,7 +23,7 @@ enum class LoadingPath {
     // where it does not stand, at the greatest of 1/2, 1/4, ... of the factor and the lower bound at which it does; in
     // searches for an angle, at the bound at which they should stand. Each value tried is a sudden change from that one
     // state, in which springs, slip and broken contacts are kept. Static equilibrium is sought first, without inertia;
-    // the run follows.
+    // the run follows. Not with a record of shaking, which would be over before the first value is tried.
     consolidated,
     preloaded,  // each value from the initial geometry: springs free, all loads at once, without inertia; then the run
     gravity,    // as preloaded, but weight, water and forces grow in ten equal steps, or in time if settings.start =
@@ -100,7 +100,8 @@ struct ReductionSearch {
             section<&R::joints>(
                 "names of the joints whose strength and bonds are divided: of a jointed slope; interface "
                 "or base of a row or columns; numbers of blocks' joints, as texts; absent: all"),
-            section<&R::path>("how the blocks come to each factor; absent: consolidated"),
+            section<&R::path>(
+                "how the blocks come to each factor; absent: consolidated, or preloaded with a record of shaking"),
             section<&R::paths>(paths_meaning)};
     }
 };
@@ -122,7 +123,8 @@ struct WeightSearch {
             absent_is(least_ratio, number<&W::lower>(more_than(0), "least factor tried")),
             absent_is(greatest_weight, number<&W::upper>(more_than(0), "greatest factor tried")),
             absent_is(standard_ratio_tolerance, number<&W::tolerance>(within(1e-9, 1), tolerance_meaning)),
-            section<&W::path>("how the blocks come to each factor; absent: consolidated"),
+            section<&W::path>(
+                "how the blocks come to each factor; absent: consolidated, or preloaded with a record of shaking"),
             section<&W::paths>(paths_meaning)};
     }
 };

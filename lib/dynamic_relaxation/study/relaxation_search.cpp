@@ -18,9 +18,14 @@ namespace {
 
 constexpr double own_ratio = 1;  // of strength or weight, as given in the case
 
+// A record of shaking is over when blocks have come to rest; it has to act at each value tried.
+bool can_consolidate(const RelaxationStudy& study) {
+    return study.model.shaking.size() <= 1;
+}
+
 // The path of a search for which the case names none.
 LoadingPath usual_path(const RelaxationStudy& study, CriticalParameter parameter) {
-    if (dimension_of(parameter) == Dimension::ratio) {
+    if (dimension_of(parameter) == Dimension::ratio && can_consolidate(study)) {
         return LoadingPath::consolidated;
     }
     const RelaxationStart start = relaxation_settings(study).start;
@@ -35,7 +40,8 @@ std::vector<LoadingPath> paths_of(const RelaxationStudy& study, LoadingPath firs
     if (choice == PathChoice::all) {
         for (std::size_t index = 0; index < enum_names(LoadingPath{}).size(); ++index) {
             const auto path = static_cast<LoadingPath>(index);
-            if (path != first && (path != LoadingPath::stages || has_stages(study))) {
+            if (path != first && (path != LoadingPath::stages || has_stages(study)) &&
+                (path != LoadingPath::consolidated || can_consolidate(study))) {
                 paths.push_back(path);
             }
         }

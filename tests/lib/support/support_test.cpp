@@ -92,10 +92,11 @@ TEST(BoltPattern, HasExactDerivatives) {
     for (const Sensitivity& input : sensitivities(slope).derivatives) {
         for (const auto& [name, step] : {std::pair{"support[1].length", 1e-5}, std::pair{"support[1].plunge", 1e-6}}) {
             if (input.parameter == name) {
+                const bool is_length = std::string_view(name).ends_with("length");
                 const auto factor_at = [&](double change) {
                     PlaneFailure<> varied = slope;
-                    (std::string_view(name).ends_with("length") ? varied.support[0].pattern.length
-                                                                : varied.support[0].pattern.plunge) += change;
+                    BoltPattern<>& pattern = varied.support[0].pattern;
+                    (is_length ? pattern.length : pattern.plunge) += change;
                     return factor_of_safety(varied).value;
                 };
                 // Central differences: the error is of the square of the step.

@@ -215,6 +215,11 @@ void check_critical(Checker& checker, const RelaxationStudy& study) {
         checker.complain("critical.path",
                          "needs stages of excavation: the case has neither [[scene.stage]] nor [[removal]]");
     }
+    if (plan.path.front() == LoadingPath::consolidated && study.model.shaking.size() > 1) {
+        checker.complain("critical.path",
+                         "a record of shaking is over before consolidated blocks are at rest: choose "
+                         "preloaded, gravity, sudden or stages");
+    }
     if (const auto* reduction = std::get_if<ReductionSearch>(&*study.critical)) {
         const std::vector<std::string> names = joint_names(study.model.scene);
         for (const std::string& joint : reduction->joints) {

@@ -1,6 +1,7 @@
 // Factors of safety by strength reduction against closed forms, and what they must not depend on.
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "dynamic_relaxation/study/strength_bound.hpp"
 
 #include "tests/support/jointed_slopes.hpp"
 
@@ -8,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace delabole {
 namespace {
@@ -283,6 +287,117 @@ TEST(StrengthReduction, ATipAtTheFaceLocksNoJoint) {
     EXPECT_LT(critical.stands, friction / (79.61361 / 107.060036) + half_bracket);
     std::get<RelaxationSlope>(study.model.scene).geometry.sliver_share = 0;
     EXPECT_NEAR(find_critical(study).value(), critical.value(), 2 * half_bracket);
+}
+
+// Columns slide on joints through the face. A tenth of a percent beyond their limit they creep to onset by hundreds of
+// settlements; followed one by one these steps took three million steps of motion after all.
+TEST(StrengthReduction, CreepNearTheLimitIsFollowedToOnset) {
+    RelaxationSlope slope{};
+    slope.rock = {{"rock", 2650}};
+    slope.joint = {{"joint", {}, {}}};
+    slope.joint[0].strength.friction_angle = degrees(30);
+    slope.frame = SlopeFrame{FrameSides::below_and_behind, 2, {}, "joint"};
+    slope.geometry = testing::section({{0, 0}, {18.4, 0}, {18.4, 12}, {4.37, 12}},
+                                      {testing::cut("columns", testing::joint_set(degrees(-79.8), 3)),
+                                       testing::cut("base", testing::joint_set(degrees(36.7), 3))});
+    RelaxationStudy study{};
+    study.model.scene = slope;
+    const double factor = std::tan(degrees(30)) / std::tan(degrees(36.7));
+    ReductionSearch search{};
+    search.lower = 0.99 * factor;
+    search.upper = 1.001 * factor;
+    search.tolerance = 0.011 * factor;
+    study.critical = search;
+    const CriticalAnswer critical = find_critical(study);
+    EXPECT_EQ(critical.status, CriticalStatus::found);
+    EXPECT_LT(critical.steps, 300'000U);  // some ten thousand
+}
+
+// A slope of 10 m with a face of 68 deg on which rock slides along the joints of the cuts. Joint "weak" has 20 deg of
+// friction, "strong" 45 deg.
+RelaxationStudy two_joints(std::vector<SlopeCut> cuts, double sliver_share = SlopeGeometry::standard_sliver_share) {
+    RelaxationSlope slope{};
+    slope.rock = {{"rock", 2600}};
+    slope.joint = {{"strong", {}, {}}, {"weak", {}, {}}};
+    slope.joint[0].strength.friction_angle = degrees(45);
+    slope.joint[1].strength.friction_angle = degrees(20);
+    slope.frame = SlopeFrame{FrameSides::below_and_behind, 2, {}, "strong"};
+    slope.geometry = testing::section({{0, 0}, {20, 0}, {20, 10}, {4, 10}}, std::move(cuts));
+    slope.geometry.intact_joint = "strong";
+    slope.geometry.sliver_share = sliver_share;
+    RelaxationStudy study{};
+    study.model.scene = slope;
+    study.critical = ReductionSearch{};
+    return study;
+}
+
+SlopeCut plane(const std::string& joint, double dip, double height) {
+    const double rise = 30 * std::tan(degrees(dip));
+    return {joint, joint, testing::line({{-30, height - rise}, {30, height + rise}})};
+}
+
+// All above the weak plane slides on it, whatever is cut beside it, and in whatever order.
+TEST(StrengthReduction, AWeakPlaneIsNotLostBesideAStrongOne) {
+    const double expected = std::tan(degrees(20)) / std::tan(degrees(35));
+    const auto factor = [](std::vector<SlopeCut> cuts) { return find_critical(two_joints(std::move(cuts))).value(); };
+    for (const double apart : {0.1, 0.04, 0.005, 0.0}) {
+        // Slivers and corners within the snap distance leave one of the two planes.
+        const SlopeCut weak = plane("weak", 35, 1);
+        const SlopeCut strong = plane("strong", 35, 1 + apart);
+        EXPECT_NEAR(factor({weak, strong}), expected, half_bracket) << apart;
+        EXPECT_NEAR(factor({strong, weak}), expected, half_bracket) << apart;
+    }
+    const auto beds = [](const std::string& joint) {
+        JointSetCut set = testing::joint_set(degrees(35), 2);
+        set.through = SectionPoint{0, 1};
+        return SlopeCut{"beds", joint, set};
+    };
+    EXPECT_NEAR(factor({beds("strong"), plane("weak", 35, 1)}), expected, half_bracket);
+    EXPECT_NEAR(factor({plane("strong", 35, 1), beds("weak")}), expected, half_bracket);
+    // It follows a bed and then steepens.
+    const double tangent = std::tan(degrees(35));
+    const SlopeCut bent{"bent", "weak", testing::line({{-5, 1 - 5 * tangent}, {8, 1 + 8 * tangent}, {9, 11}})};
+    EXPECT_NEAR(factor({plane("strong", 35, 1), bent}), expected, half_bracket);
+    // A part of the plane is weak.
+    const SlopeCut part{"part", "weak", testing::line({{-5, 1 - 5 * tangent}, {4, 1 + 4 * tangent}})};
+    const double partly = factor({plane("strong", 35, 1), part});
+    EXPECT_GT(partly, 1.2 * expected);
+    EXPECT_LT(partly, 0.9 / tangent);
+    EXPECT_NEAR(factor({part, plane("strong", 35, 1)}), partly, 2 * half_bracket);
+}
+
+// Blocks above and below two planes that cross at 0.8 deg meet in one point. It carries no more friction than the
+// weaker plane.
+TEST(StrengthReduction, PlanesThatNearlyCoincideCrossWithTheWeakerStrength) {
+    for (const bool weak_first : {true, false}) {
+        std::vector<SlopeCut> cuts{plane("weak", 35.8, 0.9), plane("strong", 35, 1)};
+        if (!weak_first) {
+            std::swap(cuts[0], cuts[1]);
+        }
+        const RelaxationStudy study = two_joints(std::move(cuts), 0);
+        // The joint's own 0.8 deg are not resolved: faces that bend by less than 1.15 deg are one.
+        const double expected = std::tan(degrees(20)) / std::tan(degrees(35.8));
+        EXPECT_LT(find_critical(study).value(), 1.05 * expected);
+        EXPECT_LT(*greatest_strength_reduction(relaxation_scene(study)), 1.05 * expected);
+    }
+}
+
+// 4 m/s2 for 9 s, as a record and as a constant load.
+TEST(StrengthReduction, ARecordOfShakingActsAtEachStrength) {
+    RelaxationStudy study = two_joints({plane("strong", 35, 1)});
+    study.model.shaking = {{0, 4, 0}};
+    const double share = 4 / gravity;
+    const double tangent = std::tan(degrees(35));
+    const double expected = (1 - share * tangent) / (tangent + share);
+    EXPECT_NEAR(find_critical(study).value(), expected, half_bracket);
+    study.model.shaking.push_back({9, 4, 0});
+    const CriticalAnswer shaken = find_critical(study);
+    EXPECT_EQ(shaken.path, LoadingPath::preloaded);
+    EXPECT_NEAR(shaken.value(), expected, half_bracket);
+    std::get<ReductionSearch>(*study.critical).paths = PathChoice::all;
+    for (const PathValue& other : find_critical(study).other) {
+        EXPECT_NE(other.path, LoadingPath::consolidated);
+    }
 }
 
 }  // namespace
