@@ -50,18 +50,19 @@ struct CuttingWork {
     // Rock between joints is stronger than they.
     std::size_t rank_of(MeshIndex joint) const { return joint < rank.size() ? rank[joint] : no_index; }
     // Whether an edge between two faces runs along a line whose joint is weaker than its own.
-    bool is_stronger_along(MeshIndex edge, const StraightLine& line, MeshIndex joint) const {
+    bool is_stronger_along(MeshIndex edge, const StraightLine& straight, MeshIndex joint) const {
         const PlanePoint<> along = mesh.end(edge) - mesh.start(edge);
         return mesh.edge(edge).twin != no_index && rank_of(joint) < rank_of(mesh.edge(edge).joint) &&
-               std::abs(line.distance(mesh.start(edge))) <= snap && std::abs(line.distance(mesh.end(edge))) <= snap &&
-               std::abs(line.along.dot(along)) > along.norm() / 2;
+               std::abs(straight.distance(mesh.start(edge))) <= snap &&
+               std::abs(straight.distance(mesh.end(edge))) <= snap &&
+               std::abs(straight.along.dot(along)) > along.norm() / 2;
     }
     // Gives such an edge the line's joint. `allowed(first, last)`: as in cut_face.
     template <class Allowed>
-    void weaken(MeshIndex edge, const StraightLine& line, MeshIndex joint, Allowed&& allowed) {
-        const double one = line.place(mesh.start(edge));
-        const double other = line.place(mesh.end(edge));
-        if (is_stronger_along(edge, line, joint) && allowed(std::min(one, other), std::max(one, other))) {
+    void weaken(MeshIndex edge, const StraightLine& straight, MeshIndex joint, Allowed&& allowed) {
+        const double one = straight.place(mesh.start(edge));
+        const double other = straight.place(mesh.end(edge));
+        if (is_stronger_along(edge, straight, joint) && allowed(std::min(one, other), std::max(one, other))) {
             mesh.set_joint(edge, joint);
         }
     }

@@ -403,6 +403,9 @@ stop = "onset"
 
 TEST(RelaxationCase, SearchesThatCannotBeAreRefused) {
     const std::string reduction = "parameter = \"strength_reduction\"\n";
+    const std::string acceleration = "horizontal = \"4 m/s2\"\nvertical = \"0 m/s2\"\n";
+    const std::string shaken =
+        "[[shaking]]\ntime = \"0 s\"\n" + acceleration + "[[shaking]]\ntime = \"9 s\"\n" + acceleration;
     const std::vector<std::pair<std::string, std::string_view>> searches{
         {"parameter = \"strength\"",
          "critical.parameter = \"strength\": must be tilt, friction, strength_reduction or weight"},
@@ -418,6 +421,8 @@ TEST(RelaxationCase, SearchesThatCannotBeAreRefused) {
         {reduction + "path = \"slow\"",
          "critical.path = \"slow\": must be consolidated, preloaded, gravity, sudden or stages"},
         {reduction + "path = \"stages\"", "critical.path = \"stages\": needs stages of excavation"},
+        {reduction + "path = \"consolidated\"\n" + shaken,
+         "critical.path = \"consolidated\": a record of shaking is over"},
         {reduction + "paths = \"both\"", "critical.paths = \"both\": must be one or all"}};
     const std::string slope = slope_over("{ x = \"0 m\", y = \"0.2 m\" }");
     for (const auto& [search, words] : searches) {

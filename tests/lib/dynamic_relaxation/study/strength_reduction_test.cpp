@@ -382,6 +382,17 @@ TEST(StrengthReduction, PlanesThatNearlyCoincideCrossWithTheWeakerStrength) {
     }
 }
 
+// Rounded to a micrometre, they bend the trace by far less than the snap distance, 2 mm.
+TEST(StrengthReduction, PointsOnAStraightTraceDivideNoBlock) {
+    const double tangent = std::tan(degrees(35));
+    std::vector<SectionPoint> points;
+    for (const double x : {-5.0, 2.3, 5.7, 11.1, 30.0}) {
+        points.push_back({x, std::round(1e6 * (1 + x * tangent)) / 1e6});
+    }
+    const RelaxationStudy drawn = two_joints({{"bed", "strong", testing::line(points)}});
+    EXPECT_EQ(number_of_blocks(drawn), number_of_blocks(two_joints({plane("strong", 35, 1)})));
+}
+
 // 4 m/s2 for 9 s, as a record and as a constant load.
 TEST(StrengthReduction, ARecordOfShakingActsAtEachStrength) {
     RelaxationStudy study = two_joints({plane("strong", 35, 1)});
