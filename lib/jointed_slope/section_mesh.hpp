@@ -50,7 +50,7 @@ class SectionMesh {
     bool alive(MeshIndex face) const { return faces_[face].edge != no_index; }
     const MeshFace& face(MeshIndex index) const { return faces_[index]; }
     void set_rock(MeshIndex face, MeshIndex rock) { faces_[face].rock = rock; }
-    // Of an edge that has a twin.
+    // Sets the joint on both sides of an edge, which has a twin.
     void set_joint(MeshIndex edge, MeshIndex joint) { edges_[edge].joint = edges_[edges_[edge].twin].joint = joint; }
     std::size_t edge_count() const { return edges_.size(); }
     const HalfEdge& edge(MeshIndex index) const { return edges_[index]; }

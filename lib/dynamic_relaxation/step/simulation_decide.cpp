@@ -114,7 +114,7 @@ bool Simulation::try_corners(const std::function<bool()>& faces_hold) {
     }
     const CornerMotion blocks{bodies_, state_.motion};
     std::vector<std::uint32_t> concerned = end_trial(blocks, state_.contacts);
-    // In a search the faces have to hold the blocks, with whichever edges corners bear.
+    // A search asks whether the faces alone hold the blocks, for which it does not matter on which edges corners bear.
     if (concerned.empty() && (corners_may_bear() || !settings_.creep)) {
         ContactList exchanged = state_.contacts;
         concerned = try_other_edges(blocks, weights(), exchanged);
