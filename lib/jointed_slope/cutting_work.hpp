@@ -52,7 +52,8 @@ struct CuttingWork {
     // Whether an edge between two faces runs along a line whose joint is weaker than its own.
     bool is_stronger_along(MeshIndex edge, const StraightLine& straight, MeshIndex joint) const {
         const PlanePoint<> along = mesh.end(edge) - mesh.start(edge);
-        return mesh.edge(edge).twin != no_index && rank_of(joint) < rank_of(mesh.edge(edge).joint) &&
+        return mesh.edge(edge).face != no_index && mesh.edge(edge).twin != no_index &&
+               rank_of(joint) < rank_of(mesh.edge(edge).joint) &&
                std::abs(straight.distance(mesh.start(edge))) <= snap &&
                std::abs(straight.distance(mesh.end(edge))) <= snap &&
                std::abs(straight.along.dot(along)) > along.norm() / 2;

@@ -165,13 +165,11 @@ CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint) {
         const auto reaches = [&](double from, double to) { return from >= first && to <= last; };
         for (MeshIndex edge = 0; edge < mesh.edge_count(); ++edge) {
             for (const PlanePoint<>& end : {line[piece - 1], line[piece]}) {
-                if (mesh.edge(edge).face != no_index && work.is_stronger_along(edge, straight, joint)) {
+                if (work.is_stronger_along(edge, straight, joint)) {
                     put_vertex(mesh, edge, end, work.snap);
                 }
             }
-            if (mesh.edge(edge).face != no_index) {
-                work.weaken(edge, straight, joint, reaches);
-            }
+            work.weaken(edge, straight, joint, reaches);
         }
         const std::size_t before = mesh.face_count();
         for (MeshIndex face = 0; face < before; ++face) {
