@@ -49,23 +49,25 @@ struct CuttingWork {
 
     // Rock between joints is stronger than they.
     std::size_t rank_of(MeshIndex joint) const { return joint < rank.size() ? rank[joint] : no_index; }
-    // Whether an edge between two faces runs along a line whose joint is weaker than its own.
+    // Whether an edge runs along a line whose joint is weaker than its own.
     bool is_stronger_along(MeshIndex edge, const StraightLine& straight, MeshIndex joint) const {
         const PlanePoint<> along = mesh.end(edge) - mesh.start(edge);
-        return mesh.edge(edge).face != no_index && mesh.edge(edge).twin != no_index &&
-               rank_of(joint) < rank_of(mesh.edge(edge).joint) &&
+        return mesh.edge(edge).face != no_index && rank_of(joint) < rank_of(mesh.joint_at(edge)) &&
                std::abs(straight.distance(mesh.start(edge))) <= snap &&
                std::abs(straight.distance(mesh.end(edge))) <= snap &&
                std::abs(straight.along.dot(along)) > along.norm() / 2;
     }
-    // Gives such an edge the line's joint. `allowed(first, last)`: as in cut_face.
+    // Gives such an edge the line's joint; returns whether it has. `allowed(first, last)`: as in cut_face.
     template <class Allowed>
-    void weaken(MeshIndex edge, const StraightLine& straight, MeshIndex joint, Allowed&& allowed) {
+    bool weaken(MeshIndex edge, const StraightLine& straight, MeshIndex joint, Allowed&& allowed) {
         const double one = straight.place(mesh.start(edge));
         const double other = straight.place(mesh.end(edge));
-        if (is_stronger_along(edge, straight, joint) && allowed(std::min(one, other), std::max(one, other))) {
+        const bool weaker =
+            is_stronger_along(edge, straight, joint) && allowed(std::min(one, other), std::max(one, other));
+        if (weaker) {
             mesh.set_joint(edge, joint);
         }
+        return weaker;
     }
 };
 

@@ -145,7 +145,7 @@ void collect(const CuttingWork& work, JointedSection& section) {
         if (!mesh.alive(face)) {
             continue;
         }
-        SlopeBlock block{{}, {}, mesh.face(face).rock};
+        SlopeBlock block{{}, {}, mesh.face(face).rock, {}};
         mesh.for_each_edge(face, [&](MeshIndex edge) {
             const HalfEdge& half = mesh.edge(edge);
             MeshIndex& vertex = number[half.origin];
@@ -155,6 +155,7 @@ void collect(const CuttingWork& work, JointedSection& section) {
             }
             block.vertex.push_back(vertex);
             block.joint.push_back(half.joint);
+            block.joint_along.push_back(half.joint_along);
             section.intact_edges += half.joint == intact_rock && half.twin < edge ? 1 : 0;
         });
         section.block.push_back(std::move(block));

@@ -57,13 +57,16 @@ struct SlopeBlock {
     std::vector<MeshIndex> vertex;  // anticlockwise; includes corners of neighbours on its faces
     std::vector<MeshIndex> joint;   // along each edge, to the next vertex: index of a name, free_surface or intact_rock
     MeshIndex rock;                 // index of a name
+    // The joint that was cut along each edge of the outline, or free_surface: it counts where the outline lies on rock.
+    std::vector<MeshIndex> joint_along;
 };
 
-// Numbers of divisions by each cut, in the order of the cuts. Both are 0 if it misses the section or its spacing is
+// Numbers of divisions by each cut, in the order of the cuts. All are 0 if it misses the section or its spacing is
 // larger.
 struct CutCount {
     std::size_t made = 0;     // blocks divided
     std::size_t dropped = 0;  // blocks that one of its joints would divide if it reached from side to side
+    std::size_t along = 0;    // edges that were there before, on a stronger joint or on the outline
 };
 
 struct JointedSection {

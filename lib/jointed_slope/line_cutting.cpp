@@ -169,7 +169,7 @@ CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint) {
                     put_vertex(mesh, edge, end, work.snap);
                 }
             }
-            work.weaken(edge, straight, joint, reaches);
+            count.along += work.weaken(edge, straight, joint, reaches) ? 1 : 0;
         }
         const std::size_t before = mesh.face_count();
         for (MeshIndex face = 0; face < before; ++face) {
@@ -285,6 +285,7 @@ CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line,
     for (const Polyline& face_line : faces.line) {
         const CutCount of_face = cut_pieces(work, face_line, joint);
         count.made += of_face.made;
+        count.along += of_face.along;
         count.dropped += of_face.dropped;
     }
     work.drawn.push_back({number, middle, half_thickness, joint, rocks});
@@ -311,7 +312,8 @@ void cut_as_far_as_others(CuttingWork& work, std::vector<CutCount>& count) {
     for (const DrawnLine& line : work.drawn) {
         if (ends_in_a_block(line)) {
             const CutCount again = cut_pieces(work, line.middle, line.joint);
-            count[line.cut] = {count[line.cut].made + again.made, again.dropped};
+            CutCount& of_line = count[line.cut];
+            of_line = {of_line.made + again.made, again.dropped, of_line.along + again.along};
             rocks_change = rocks_change || again.made > 0;
         }
     }

@@ -20,7 +20,8 @@ SectionMesh::SectionMesh(const Polygon<>& outline, MeshIndex rock) : points_(out
     const auto count = static_cast<MeshIndex>(outline.size());
     edges_.reserve(count);
     for (MeshIndex index = 0; index < count; ++index) {
-        edges_.push_back({index, no_index, (index + 1) % count, (index + count - 1) % count, 0, free_surface, index});
+        edges_.push_back(
+            {index, no_index, (index + 1) % count, (index + count - 1) % count, 0, free_surface, index, free_surface});
         segments_.push_back({outline[index], outline[(index + 1) % count]});
     }
     faces_.push_back({0, rock});
@@ -66,8 +67,8 @@ MeshIndex SectionMesh::split_face(MeshIndex from, MeshIndex to, MeshIndex joint)
     const MeshIndex before_to = edges_[to].previous;
     const auto segment = static_cast<MeshIndex>(segments_.size());
     segments_.push_back({start(from), start(to)});
-    edges_.push_back({edges_[to].origin, opposite, from, before_to, new_face, joint, segment});
-    edges_.push_back({edges_[from].origin, closing, to, before_from, old_face, joint, segment});
+    edges_.push_back({edges_[to].origin, opposite, from, before_to, new_face, joint, segment, free_surface});
+    edges_.push_back({edges_[from].origin, closing, to, before_from, old_face, joint, segment, free_surface});
     edges_[before_to].next = closing;
     edges_[from].previous = closing;
     edges_[before_from].next = opposite;

@@ -28,6 +28,7 @@ struct HalfEdge {
     MeshIndex face;
     MeshIndex joint;
     MeshIndex segment;
+    MeshIndex joint_along;  // of an edge of the outline: the joint that was cut along it, or free_surface
 };
 
 // The line from which an edge was cut: its points are interpolated between these ends, whatever the order of divisions.
@@ -50,8 +51,17 @@ class SectionMesh {
     bool alive(MeshIndex face) const { return faces_[face].edge != no_index; }
     const MeshFace& face(MeshIndex index) const { return faces_[index]; }
     void set_rock(MeshIndex face, MeshIndex rock) { faces_[face].rock = rock; }
-    // Sets the joint on both sides of an edge, which has a twin.
-    void set_joint(MeshIndex edge, MeshIndex joint) { edges_[edge].joint = edges_[edges_[edge].twin].joint = joint; }
+    // The joint of an edge between two faces, or else the one along the outline.
+    MeshIndex joint_at(MeshIndex edge) const {
+        return edges_[edge].twin == no_index ? edges_[edge].joint_along : edges_[edge].joint;
+    }
+    void set_joint(MeshIndex edge, MeshIndex joint) {
+        if (edges_[edge].twin == no_index) {
+            edges_[edge].joint_along = joint;
+        } else {
+            edges_[edge].joint = edges_[edges_[edge].twin].joint = joint;
+        }
+    }
     std::size_t edge_count() const { return edges_.size(); }
     const HalfEdge& edge(MeshIndex index) const { return edges_[index]; }
     const std::vector<PlanePoint<>>& points() const { return points_; }

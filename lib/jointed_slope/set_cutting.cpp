@@ -216,9 +216,10 @@ CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& se
             const auto found = std::ranges::lower_bound(made.position, at - work.snap);
             if (found != made.position.end()) {
                 const StraightLine line{upright.normal, upright.along, *found + shift};
-                work.weaken(edge, line, joint, [&](double first, double last) {
+                const bool weaker = work.weaken(edge, line, joint, [&](double first, double last) {
                     return reach.contains(line, first_number + (found - made.position.begin()), first, last);
                 });
+                count.along += weaker ? 1 : 0;
             }
         });
         // The joints are counted before any cut, so that a refusal takes less time than a section. No joint cuts beyond

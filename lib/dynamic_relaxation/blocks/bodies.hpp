@@ -127,12 +127,15 @@ inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>
 }
 
 // Index of the governing joint among the scene's materials: of two edges that lie on each other, the joint of the one
-// with less friction.
+// with less friction, or else with less cohesion.
 inline std::size_t weaker_joint(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
                                 std::size_t other_edge) {
     const std::size_t one = bodies.material[edge];
     const std::size_t two = bodies.material[other_edge];
-    return scene.material[one].friction_angle < scene.material[two].friction_angle ? one : two;
+    const auto strength = [&](std::size_t joint) {
+        return std::pair(scene.material[joint].friction_angle, scene.material[joint].cohesion);
+    };
+    return strength(one) < strength(two) ? one : two;
 }
 
 }  // namespace delabole

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace delabole {
@@ -113,6 +114,7 @@ class SlopeSceneMaker {
 
   private:
     JointedSection& section() { return scene_.section; }
+    const JointedSection& section() const { return scene_.section; }
 
     static SlopeScene refused(SlopeCheck check, std::size_t index) {
         SlopeScene scene;
@@ -200,37 +202,48 @@ class SlopeSceneMaker {
         }
     }
 
-    bool needed(const SlopeBlock& block, std::size_t vertex) const {
-        const std::size_t count = block.vertex.size();
-        const std::size_t before = (vertex + count - 1) % count;
-        if (block.joint[before] != block.joint[vertex]) {
-            return true;
+    // The joint along an edge, to the next vertex; on the frame that of a cut along it, or else the frame's.
+    MeshIndex joint_of(const SlopeBlock& block, std::size_t edge) {
+        const PlanePoint<>& from = section().vertex[block.vertex[edge]];
+        const PlanePoint<>& to = section().vertex[block.vertex[(edge + 1) % block.vertex.size()]];
+        if (block.joint[edge] != free_surface || !on_frame(from, to)) {
+            return block.joint[edge];
         }
-        const auto at = [&](std::size_t index) { return scene_.section.vertex[block.vertex[index]]; };
-        return !goes_straight_on(at(before), at(vertex), at((vertex + 1) % count));
+        const MeshIndex along = block.joint_along[edge];
+        return along == free_surface ? static_cast<MeshIndex>(*frame_joint_) : along;
     }
 
     void add_block(const SlopeBlock& block, bool fixed) {
         RelaxationBlock made{{}, slope_.rock[block.rock].density};
         made.fixed = fixed;
+        const std::size_t count = block.vertex.size();
+        std::vector<MeshIndex> joint_at;
+        for (std::size_t edge = 0; edge < count; ++edge) {
+            joint_at.push_back(joint_of(block, edge));
+        }
         std::vector<MeshIndex> joints;
-        for (std::size_t vertex = 0; vertex < block.vertex.size(); ++vertex) {
-            if (needed(block, vertex)) {
-                made.outline.push_back(section().vertex[block.vertex[vertex]]);
-                joints.push_back(block.joint[vertex]);
+        for (std::size_t vertex = 0; vertex < count; ++vertex) {
+            const std::size_t before = (vertex + count - 1) % count;
+            const auto at = [&](std::size_t index) { return section().vertex[block.vertex[index % count]]; };
+            const bool joint_changes = joint_at[before] != joint_at[vertex];
+            const bool straight = goes_straight_on(at(before), at(vertex), at(vertex + 1));
+            if (joint_changes || !straight) {
+                made.outline.push_back(at(vertex));
+                joints.push_back(joint_at[vertex]);
+            }
+            const auto framed = [&](std::size_t edge) {
+                return block.joint[edge] == free_surface && joint_at[edge] != free_surface;
+            };
+            if (joint_changes && straight && framed(before) && framed(vertex)) {
+                joint_change_.push_back(at(vertex));
             }
         }
         for (std::size_t edge = 0; edge < made.outline.size(); ++edge) {
             const PlanePoint<>& from = made.outline[edge];
             const PlanePoint<>& to = made.outline[(edge + 1) % made.outline.size()];
             const MeshIndex joint = joints[edge];
-            const bool framed = joint == free_surface && on_frame(from, to);
-            made.joint.push_back(framed                  ? *frame_joint_
-                                 : joint == free_surface ? 0
-                                 : joint == intact_rock  ? *intact_
-                                                         : joint);
-            const double share =
-                joint == free_surface && !framed ? 1 : slope_.joint[made.joint.back()].water_share.value_or(1);
+            made.joint.push_back(joint == free_surface ? 0 : joint == intact_rock ? *intact_ : joint);
+            const double share = joint == free_surface ? 1 : slope_.joint[made.joint.back()].water_share.value_or(1);
             if (slope_.water && !fixed && joint != intact_rock && share > 0) {
                 add_pressures(edge, share * slope_.water->unit_weight, depths_along(slope_.water->vertex, from, to));
             }
@@ -296,8 +309,32 @@ class SlopeSceneMaker {
         return true;
     }
 
-    void add_frame_block(Polygon<> outline) {
-        RelaxationBlock block{std::move(outline), slope_.rock.front().density};
+    // Where the joint along the frame changes the frame has a vertex as well: the corner of the block there bears half
+    // on either joint.
+    Polygon<> with_joint_changes(const Polygon<>& rectangle) const {
+        Polygon<> outline;
+        for (std::size_t side = 0; side < rectangle.size(); ++side) {
+            const PlanePoint<>& from = rectangle[side];
+            const PlanePoint<> whole = rectangle[(side + 1) % rectangle.size()] - from;
+            const double length = whole.norm();
+            const PlanePoint<> along = whole / length;
+            const double near = section().snap_distance;
+            std::set<double> places{0};
+            for (const PlanePoint<>& point : joint_change_) {
+                const double place = along.dot(point - from);
+                if ((from + place * along - point).norm() < near && place > near && place < length - near) {
+                    places.insert(place);
+                }
+            }
+            for (const double place : places) {
+                outline.emplace_back(from + place * along);
+            }
+        }
+        return outline;
+    }
+
+    void add_frame_block(const Polygon<>& rectangle) {
+        RelaxationBlock block{with_joint_changes(rectangle), slope_.rock.front().density};
         block.fixed = true;
         block.joint.assign(block.outline.size(), *frame_joint_);
         scene_.block.push_back(std::move(block));
@@ -321,6 +358,7 @@ class SlopeSceneMaker {
     Side below_ = {};
     Side behind_ = {};
     Side in_front_ = {};
+    Polygon<> joint_change_ = {};  // points on the frame between two joints
 };
 
 }  // namespace

@@ -409,7 +409,7 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study, const Relax
     settings.time_step = numerics.time_step;
     take(settings.viscous_damping, numerics.viscous_damping);
     // Shaking leaves permanent displacements, which damping would reduce.
-    settings.local_damping = study.model.shaking.size() > 1 ? 0 : settings.local_damping;
+    settings.local_damping = has_record_of_shaking(study) ? 0 : settings.local_damping;
     take(settings.local_damping, numerics.local_damping);
     settings.kinetic_damping = numerics.kinetic_damping == OffOn::on;
     settings.corners_bear = numerics.corners_bear == OffOn::on;

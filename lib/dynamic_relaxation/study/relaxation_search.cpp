@@ -18,14 +18,9 @@ namespace {
 
 constexpr double own_ratio = 1;  // of strength or weight, as given in the case
 
-// A record of shaking is over when blocks have come to rest; it has to act at each value tried.
-bool can_consolidate(const RelaxationStudy& study) {
-    return study.model.shaking.size() <= 1;
-}
-
 // The path of a search for which the case names none.
 LoadingPath usual_path(const RelaxationStudy& study, CriticalParameter parameter) {
-    if (dimension_of(parameter) == Dimension::ratio && can_consolidate(study)) {
+    if (dimension_of(parameter) == Dimension::ratio && !has_record_of_shaking(study)) {
         return LoadingPath::consolidated;
     }
     const RelaxationStart start = relaxation_settings(study).start;
@@ -41,7 +36,7 @@ std::vector<LoadingPath> paths_of(const RelaxationStudy& study, LoadingPath firs
         for (std::size_t index = 0; index < enum_names(LoadingPath{}).size(); ++index) {
             const auto path = static_cast<LoadingPath>(index);
             if (path != first && (path != LoadingPath::stages || has_stages(study)) &&
-                (path != LoadingPath::consolidated || can_consolidate(study))) {
+                (path != LoadingPath::consolidated || !has_record_of_shaking(study))) {
                 paths.push_back(path);
             }
         }
@@ -326,6 +321,10 @@ std::string_view name_of_critical(CriticalParameter parameter) {
         break;
     }
     return "critical_weight_factor";
+}
+
+bool has_record_of_shaking(const RelaxationStudy& study) {
+    return study.model.shaking.size() > 1;
 }
 
 bool has_stages(const RelaxationStudy& study) {

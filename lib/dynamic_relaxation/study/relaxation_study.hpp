@@ -279,6 +279,9 @@ CriticalPlan critical_plan(const RelaxationStudy& study);
 
 // Whether blocks are removed during the run.
 bool has_stages(const RelaxationStudy& study);
+// Whether the ground's acceleration changes with time. When blocks have come to rest the record is over: it has to act
+// at each value that a search tries.
+bool has_record_of_shaking(const RelaxationStudy& study);
 
 // The critical value that a search found on one path.
 struct PathValue : CriticalValue {

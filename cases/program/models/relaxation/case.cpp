@@ -215,7 +215,7 @@ void check_critical(Checker& checker, const RelaxationStudy& study) {
         checker.complain("critical.path",
                          "needs stages of excavation: the case has neither [[scene.stage]] nor [[removal]]");
     }
-    if (plan.path.front() == LoadingPath::consolidated && study.model.shaking.size() > 1) {
+    if (plan.path.front() == LoadingPath::consolidated && has_record_of_shaking(study)) {
         checker.complain("critical.path",
                          "a record of shaking is over before consolidated blocks are at rest: choose "
                          "preloaded, gravity, sudden or stages");

@@ -366,6 +366,45 @@ TEST(StrengthReduction, AWeakPlaneIsNotLostBesideAStrongOne) {
     EXPECT_NEAR(factor({part, plane("strong", 35, 1)}), partly, 2 * half_bracket);
 }
 
+// The rock slides on the bottom of the section, on which a weak plane was drawn: there the frame's joint met it alone.
+TEST(StrengthReduction, AWeakPlaneAlongTheFrameCounts) {
+    const double tilt = degrees(15);
+    const double expected = std::tan(degrees(20)) / std::tan(tilt);
+    const auto factor = [&](std::vector<SlopeCut> cuts, double cohesion = 0) {
+        RelaxationStudy study = two_joints(std::move(cuts));
+        auto& slope = std::get<RelaxationSlope>(study.model.scene);
+        slope.tilt = tilt;
+        slope.frame->sides = FrameSides::below;
+        slope.geometry.outline = {{0, 0}, {6, 0}, {6, 2}, {0, 2}};
+        if (cohesion > 0) {
+            slope.joint[0].strength.friction_angle = degrees(20);
+            slope.joint[0].strength.cohesion = cohesion;
+        }
+        return find_critical(study).value();
+    };
+    const double strong = std::tan(degrees(45)) / std::tan(tilt);
+    EXPECT_NEAR(factor({plane("strong", 0, 0)}), strong, half_bracket);
+    // A joint 5 mm above leaves a sliver, which is merged with the rock above.
+    for (const double height : {-0.0002, 0.0, 0.0002, 0.005, 0.5}) {
+        EXPECT_NEAR(factor({plane("weak", 0, height)}), expected, half_bracket) << height;
+    }
+    JointSetCut beds = testing::joint_set(0, 1);
+    beds.through = SectionPoint{0, 2};
+    EXPECT_NEAR(factor({{"beds", "weak", beds}}), expected, half_bracket);
+    EXPECT_NEAR(factor({plane("strong", 0, 0), plane("weak", 0, 0)}), expected, half_bracket);
+    // Half of the bottom is weak. The lower half carries 0.567 of the weight, if pressures are linear.
+    const double lower_half = 0.5 + 1.5 * std::tan(tilt) / 6;
+    const auto with_share = [&](double share) { return share * expected + (1 - share) * strong; };
+    const SlopeCut low{"half", "weak", testing::line({{-1, 0}, {3, 0}})};
+    const SlopeCut high{"half", "weak", testing::line({{3, 0}, {7, 0}})};
+    // Contacts at the ends of faces stand for a linear pressure to a few percent.
+    EXPECT_NEAR(factor({low}), with_share(lower_half), 0.03 * strong);
+    EXPECT_NEAR(factor({high}), with_share(1 - lower_half), 0.03 * strong);
+    // Of two joints with one friction, the one with less cohesion counts.
+    EXPECT_NEAR(factor({plane("weak", 0, 0)}, 1e6), expected, half_bracket);
+    EXPECT_NEAR(factor({plane("strong", 0, 0), plane("weak", 0, 0)}, 1e6), expected, half_bracket);
+}
+
 // Blocks above and below two planes that cross at 0.8 deg meet in one point. It carries no more friction than the
 // weaker plane.
 TEST(StrengthReduction, PlanesThatNearlyCoincideCrossWithTheWeakerStrength) {
