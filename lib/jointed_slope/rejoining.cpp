@@ -76,12 +76,17 @@ bool has_the_weakest_joint(const CuttingWork& work, MeshIndex face, MeshIndex ed
     const MeshIndex neighbour = mesh.edge(mesh.edge(edge).twin).face;
     std::size_t here = no_index;
     std::size_t elsewhere = no_index;
+    bool has_others = false;
     mesh.for_each_edge(face, [&](MeshIndex of_sliver) {
         const MeshIndex twin = mesh.edge(of_sliver).twin;
-        std::size_t& least = twin != no_index && mesh.edge(twin).face == neighbour ? here : elsewhere;
-        least = std::min(least, twin == no_index ? no_index : work.rank_of(mesh.edge(of_sliver).joint));
+        if (twin != no_index) {
+            const bool other = mesh.edge(twin).face != neighbour;
+            std::size_t& least = other ? elsewhere : here;
+            least = std::min(least, work.rank_of(mesh.edge(of_sliver).joint));
+            has_others = has_others || other;
+        }
     });
-    return here < elsewhere && elsewhere != no_index;
+    return here < elsewhere && has_others;
 }
 
 // A joint between the outline and a boundary that goes, about as long as it: what slid along the boundary slides there.

@@ -405,6 +405,16 @@ TEST(StrengthReduction, AWeakPlaneAlongTheFrameCounts) {
     EXPECT_NEAR(factor({plane("strong", 0, 0), plane("weak", 0, 0)}, 1e6), expected, half_bracket);
 }
 
+// Rock behind a bench is divided from its corner, at 50.7 deg to the right, where the side is free. A weak plane 2 cm
+// above that division leaves a sliver, which is no reason to lose the plane.
+TEST(StrengthReduction, AWeakPlaneIsNotLostBesideADivisionOfIntactRock) {
+    RelaxationStudy study = two_joints({{"weak", "weak", testing::line({{7, 6.24}, {8, 5.02}, {10.5, 1.97}})}});
+    auto& slope = std::get<RelaxationSlope>(study.model.scene);
+    slope.frame->sides = FrameSides::below;
+    slope.geometry.outline = {{0, 0}, {10, 0}, {10, 10}, {9, 10}, {8, 5}, {4, 5}};
+    EXPECT_NEAR(find_critical(study).value(), std::tan(degrees(20)) / (1.22), half_bracket);
+}
+
 // Blocks above and below two planes that cross at 0.8 deg meet in one point. It carries no more friction than the
 // weaker plane.
 TEST(StrengthReduction, PlanesThatNearlyCoincideCrossWithTheWeakerStrength) {
