@@ -2,6 +2,8 @@
 
 #include "jointed_slope/cutting_work.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -109,6 +111,21 @@ class Cutter {
     SlopeCheck check_ = SlopeCheck::valid;
 };
 
+// Moves corners that lie nearer than `near` to the lowest, foremost or rearmost one on to the same level or upright: a
+// frame is level and upright, and a gap before it would let blocks move.
+void straighten_sides(Polygon<>& outline, double near) {
+    Eigen::AlignedBox2d bounds;
+    for (const PlanePoint<>& corner : outline) {
+        bounds.extend(corner);
+    }
+    for (PlanePoint<>& corner : outline) {
+        corner.y() = corner.y() < bounds.min().y() + near ? bounds.min().y() : corner.y();
+        corner.x() = corner.x() < bounds.min().x() + near   ? bounds.min().x()
+                     : corner.x() > bounds.max().x() - near ? bounds.max().x()
+                                                            : corner.x();
+    }
+}
+
 // The toe of an anticlockwise outline: the lowest corner of the ground from its front to its rear end; of several, to
 // within `near`, the last.
 PlanePoint<> toe_of(const Polygon<>& outline, double near) {
@@ -192,6 +209,7 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
     if (snap != SlopeCheck::valid) {
         return refuse(snap, section.index_at_fault);
     }
+    straighten_sides(outline, section.snap_distance);
     if (const auto edge = crossing_edge(outline, section.snap_distance)) {
         const auto corner = std::ranges::find_if(geometry.outline, [&](const SectionPoint& point) {
             return PlanePoint<>(point.x, point.y) == drawn[*edge];

@@ -102,6 +102,7 @@ class SlopeSceneMaker {
         if (slope_.frame && !add_frame()) {
             return refused(SlopeCheck::frame_without_edge, 0);
         }
+        scene_.beside_frame = length_beside_frame();
         for (std::size_t index = 0; index < used_.size(); ++index) {
             if (!used_[index]) {
                 return refused(SlopeCheck::area_without_block, index);
@@ -331,6 +332,24 @@ class SlopeSceneMaker {
             }
         }
         return outline;
+    }
+
+    double length_beside_frame() {
+        constexpr double cosine = 0.995;  // of 6 deg
+        Polygon<> outline = polygon_of(slope_.geometry.outline);
+        if (area_properties(outline).area < 0) {
+            std::ranges::reverse(outline);
+        }
+        double length = 0;
+        for (std::size_t edge = 0; slope_.frame && edge < outline.size(); ++edge) {
+            const PlanePoint<>& from = outline[edge];
+            const PlanePoint<>& to = outline[(edge + 1) % outline.size()];
+            const PlanePoint<> along = to - from;
+            const bool faces = along.x() > cosine * along.norm() ||
+                               (has(FrameSides::below_and_behind) && along.y() > cosine * along.norm());
+            length += faces && !on_frame(from, to) ? along.norm() : 0;
+        }
+        return length;
     }
 
     void add_frame_block(const Polygon<>& rectangle) {

@@ -23,6 +23,7 @@ struct SlopeScene {
     std::vector<std::size_t> rock = {};       // of each block; for the frame: one past the last
     std::vector<FacePressure> pressure = {};
     std::vector<Removal> removal = {};
+    double beside_frame = 0;  // m, of the outline's level or upright edges that face the frame but do not lie on it
 };
 
 SlopeScene slope_scene(const RelaxationSlope& slope);

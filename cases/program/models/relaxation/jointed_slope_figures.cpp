@@ -52,7 +52,13 @@ Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
 
 }  // namespace
 
-void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection& section, Analysis& analysis) {
+void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& made, Analysis& analysis) {
+    const JointedSection& section = made.section;
+    if (made.beside_frame > 0) {
+        analysis.warnings.push_back(value_in_words(made.beside_frame, Dimension::length) +
+                                    " of scene.outline face the frame, but do not lie on it: they are free, since the "
+                                    "frame runs along the lowest level and the rearmost upright of the outline");
+    }
     for (std::size_t index = 0; index < section.cut.size(); ++index) {
         const SlopeCut& cut = slope.geometry.cut[index];
         const std::string name = indexed("scene.cut", index) + " (" + cut.name + ")";

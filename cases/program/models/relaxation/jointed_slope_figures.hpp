@@ -9,7 +9,7 @@
 namespace delabole {
 
 // Warns of cuts that divided nothing and of intact rock that had to be divided.
-void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection& section, Analysis& analysis);
+void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& made, Analysis& analysis);
 
 // Figure of the blocks shaded by rock with the water table, and the table of cuts.
 void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made, const ResultFolder& folder,

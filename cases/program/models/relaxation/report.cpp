@@ -330,7 +330,7 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
         }
     }
     if (answer.slope) {
-        append_cutting_warnings(std::get<RelaxationSlope>(study.model.scene), answer.slope->section, analysis);
+        append_cutting_warnings(std::get<RelaxationSlope>(study.model.scene), *answer.slope, analysis);
     }
     const auto leave_unfinished = [&](std::string_view status, std::string why) {
         if (analysis.unfinished.empty() && !why.empty()) {

@@ -55,6 +55,25 @@ TEST(SlopeScene, FrameHoldsTheSidesAsked) {
     EXPECT_EQ(check(study).check, SceneCheck::valid);
 }
 
+// A side off the upright by less than the snap distance is made upright: a gap before the frame would let blocks move.
+TEST(SlopeScene, FrameTouchesASideThatIsNotQuiteUpright) {
+    RelaxationSlope slope = slope_of({{0, 0}, {5.997, 0}, {6, 6}, {0, 6}}, bricks());
+    slope.frame = SlopeFrame{FrameSides::below_and_behind, 1, {}, "base"};
+    const SlopeScene near = slope_scene(slope);
+    EXPECT_GT(near.section.snap_distance, 0.003);
+    EXPECT_EQ(near.beside_frame, 0);
+    slope.geometry.outline[1].x = 6;
+    const SlopeScene upright = slope_scene(slope);
+    ASSERT_EQ(near.block.size(), upright.block.size());
+    for (std::size_t block = 0; block < near.block.size(); ++block) {
+        EXPECT_EQ(near.block[block].outline, upright.block[block].outline);
+    }
+    // One that is farther off is told: the upper rows lean on the frame, the others on nothing.
+    slope.geometry.outline[1].x = 5.9;
+    slope.geometry.outline.insert(slope.geometry.outline.begin() + 2, {6, 3});
+    EXPECT_NEAR(slope_scene(slope).beside_frame, std::hypot(0.1, 3), 1e-12);
+}
+
 TEST(SlopeScene, FrameNeedsAnEdge) {
     RelaxationSlope slope = slope_of({{0, 0}, {10, 1}, {10, 6}, {3, 6}}, bricks());
     slope.frame = SlopeFrame{FrameSides::below, 1, {}, "base"};
