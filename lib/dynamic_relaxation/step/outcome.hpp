@@ -124,6 +124,10 @@ struct MotionExtremes {
     double displacement = 0;  // of the centroid, in radii of the block
 };
 
+// In thresholds of onset. Blocks that have been pushed, or that jam only after they have leaned, may pass the
+// thresholds and come to rest.
+inline constexpr double far_beyond_onset = 2;
+
 MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& state);
 
 // Records the slip of a contact over an upward fixed face for its free block, if it has precedence over the recorded

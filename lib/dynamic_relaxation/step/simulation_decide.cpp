@@ -73,11 +73,10 @@ void Simulation::decide() {
     if (settings_.stop_at_onset && state_.onset_time >= 0) {
         // Failing blocks accelerate; a block that has been pushed may lean beyond the threshold, slow down and fall
         // back. On a belt nothing accelerates.
-        constexpr double far_beyond = 2;
         const bool moves_on = growing && in_thresholds > state_.in_thresholds_then;
         if (in_thresholds <= 1) {
             state_.onset_time = -1;
-        } else if (in_thresholds > far_beyond || moves_on || scene_.belt || last) {
+        } else if (in_thresholds > far_beyond_onset || moves_on || scene_.belt || last) {
             decide(RelaxationOutcome::onset);
             return;
         }

@@ -49,24 +49,6 @@ bool shows_failure(RelaxationOutcome outcome) {
     return is_failure(outcome) || outcome == RelaxationOutcome::held_by_corners;
 }
 
-// The state with displacements since the initial geometry instead of since the static solve at the start.
-RelaxationState since_initial_geometry(RelaxationState state) {
-    state.origin.assign(state.motion.size(), {});
-    return state;
-}
-
-// Whether statics has to say if the blocks stand in the initial geometry: their run has no verdict, or they came to
-// rest after motion by which they may have jammed.
-bool leaves_open(RelaxationOutcome outcome, const RelaxationScene& scene, const RelaxationState& state) {
-    if (outcome == RelaxationOutcome::equilibrium) {
-        const MotionExtremes farthest = farthest_motion(make_bodies(scene), since_initial_geometry(state));
-        constexpr double beyond_settlement = 0.002;  // rad, or of a radius: blocks as stiff as usual settle by a third
-        return std::max(farthest.rotation, farthest.displacement) > beyond_settlement;
-    }
-    return outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
-           outcome == RelaxationOutcome::energy_not_balanced;
-}
-
 class PathSearch {
   public:
     PathSearch(const RelaxationStudy& study, const CriticalPlan& plan, LoadingPath path, const StudyWork& work,
@@ -231,13 +213,16 @@ class PathSearch {
         }
         const bool balanced =
             result.start_balance && result.start_balance->unbalanced_ratio <= settings_.equilibrium_ratio;
-        const bool cannot_stand = !settings_.corners_bear &&
-                                  leaves_open(simulation.outcome(), scene, simulation.state()) && lacks_forces(scene);
-        const RelaxationOutcome outcome = cannot_stand ? RelaxationOutcome::onset : simulation.outcome();
+        const bool from_rest = begin == Begin::from_consolidated && progress_.consolidated;
+        const std::vector<Motion> start = from_rest ? progress_.consolidated->motion : initial_geometry(scene);
+        const bool moved = (from_rest || is_in_contact(study_)) && rests_beyond_onset(simulation, start);
+        const bool has_failed = moved || cannot_stand(simulation);
+        const RelaxationOutcome outcome = has_failed ? RelaxationOutcome::onset : simulation.outcome();
         progress_.probe.push_back({outcome, cost.steps, cost.contacts_evaluated, !balanced});
         if (shows_failure(outcome)) {
-            progress_.failed = cannot_stand ? since_initial_geometry(simulation.state()) : simulation.state();
-            if (cannot_stand) {
+            progress_.failed = simulation.state();
+            if (has_failed) {
+                progress_.failed->origin = moved ? start : initial_geometry(scene);
                 // Onset, so that blocks count as moving that have moved a tenth as far as the farthest.
                 progress_.failed->onset_time = progress_.failed->time;
             }
@@ -304,6 +289,58 @@ class PathSearch {
 };
 
 }  // namespace
+
+std::vector<Motion> initial_geometry(const RelaxationScene& scene) {
+    return std::vector<Motion>(scene.block.size());
+}
+
+bool is_in_contact(const RelaxationStudy& study) {
+    return !std::holds_alternative<RelaxationPolygons>(study.model.scene);
+}
+
+namespace {
+
+MotionExtremes motion_since(const Simulation& simulation, const std::vector<Motion>& start) {
+    RelaxationState state = simulation.state();
+    state.origin = start;
+    return farthest_motion(make_bodies(simulation.scene()), state);
+}
+
+}  // namespace
+
+bool rests_beyond_onset(const Simulation& simulation, const std::vector<Motion>& start) {
+    const bool carried = simulation.scene().belt || !simulation.scene().motion.empty();
+    if (simulation.outcome() != RelaxationOutcome::equilibrium || carried) {
+        return false;
+    }
+    RelaxationSettings settings = simulation.settings();
+    const MotionExtremes farthest = motion_since(simulation, start);
+    // Some lean beyond the threshold before they jam; their centroids move with it, by as much in radii.
+    const double leaned = farthest.rotation;
+    const auto is_farther_than = [&](const MotionExtremes& settlement) {
+        return farthest.rotation > far_beyond_onset * settings.onset_rotation + settlement.rotation ||
+               farthest.displacement > settings.onset_slide + leaned + settlement.displacement;
+    };
+    if (!is_farther_than({})) {
+        return false;
+    }
+    // Blocks on soft joints settle by as much, however strong these are.
+    settings.creep = false;
+    const Simulation settled(with_greatest_strength(simulation.scene()), settings);
+    return is_farther_than(motion_since(settled, initial_geometry(simulation.scene())));
+}
+
+bool cannot_stand(const Simulation& simulation) {
+    const RelaxationOutcome outcome = simulation.outcome();
+    bool open = outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
+                outcome == RelaxationOutcome::energy_not_balanced;
+    if (outcome == RelaxationOutcome::equilibrium) {
+        const MotionExtremes farthest = motion_since(simulation, initial_geometry(simulation.scene()));
+        constexpr double beyond_settlement = 0.002;  // rad, or of a radius: blocks as stiff as usual settle by a third
+        open = std::max(farthest.rotation, farthest.displacement) > beyond_settlement;
+    }
+    return open && !simulation.settings().corners_bear && lacks_forces(simulation.scene());
+}
 
 CriticalParameter parameter_of(const CriticalRequest& request) {
     return static_cast<CriticalParameter>(request.index());

@@ -224,6 +224,16 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
         });
     progress.state = simulation.state();
     made = ended_at(study, simulation);
+    const bool moved = is_in_contact(study) && rests_beyond_onset(simulation, initial_geometry(made.scene));
+    const bool rests = made.result.outcome == RelaxationOutcome::equilibrium && !made.result.onset_time;
+    if (rests && (moved || cannot_stand(simulation))) {
+        // The static solve of the start has moved the blocks until they lean on others or jam.
+        RelaxationState state = simulation.state();
+        state.origin = initial_geometry(made.scene);
+        state.onset_time = 0;
+        made = ended_at(study, Simulation(made.scene, made.settings, std::move(state)));
+        made.result.outcome = made.settings.stop_at_onset ? RelaxationOutcome::onset : made.result.outcome;
+    }
     if (study.history) {
         made.history = progress.history;
         made.history.push_back(history_line(*study.history, simulation));

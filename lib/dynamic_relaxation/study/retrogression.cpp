@@ -193,6 +193,12 @@ class Retrogression {
             [] {});
         made.end = simulation.state();
         made.result = simulation.result();
+        if (const std::vector<Motion> start = initial_geometry(made.scene); rests_beyond_onset(simulation, start)) {
+            made.end->origin = start;
+            made.end->onset_time = made.end->time;
+            made.result = Simulation(made.scene, settings_, *made.end).result();
+            made.result.outcome = RelaxationOutcome::onset;
+        }
         if (!ended) {
             progress_.state = simulation.state();
             made.result.outcome = RelaxationOutcome::interrupted;

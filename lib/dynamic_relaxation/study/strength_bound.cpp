@@ -9,17 +9,12 @@
 #include "numerics/constants.hpp"
 
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace delabole {
 
 namespace {
-
-// Blocks that do not stand with so many times their strength do not stand with any. Cones of still greater friction are
-// half planes but for some digits, with which linear programmes of a thousand blocks have no end.
-constexpr double greatest_strength = 100;
 
 // Bolts are excluded because their force depends on the motion of the blocks.
 bool is_static(const RelaxationScene& scene) {
@@ -101,10 +96,8 @@ bool lacks_forces(const RelaxationScene& scene) {
     }
     const Bodies bodies = make_bodies(scene);
     const std::vector<SharedFace> faces = find_shared_faces(bodies);
-    std::vector<std::size_t> all(scene.material.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
     return stands(assembly_of(scene, bodies, faces, true)) == false &&
-           stands(assembly_of(with_reduced_strength(scene, all, 1 / greatest_strength), bodies, faces, true)) == true;
+           stands(assembly_of(with_greatest_strength(scene), bodies, faces, true)) == true;
 }
 
 std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const Bodies& bodies,

@@ -43,6 +43,12 @@ RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std
     return scene;
 }
 
+RelaxationScene with_greatest_strength(const RelaxationScene& scene) {
+    std::vector<std::size_t> all(scene.material.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return with_reduced_strength(scene, all, 1 / greatest_strength);
+}
+
 std::vector<std::string> joint_names(const BlockScene& scene) {
     return std::visit(
         [](const auto& blocks) {

@@ -23,6 +23,11 @@ namespace delabole {
 // contact have the properties of the one with less friction after the reduction.
 RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std::size_t> materials, double factor);
 
+// Blocks that do not stand with so many times their strength do not stand with any. Cones of still greater friction are
+// half planes but for some digits, with which linear programmes of a thousand blocks have no end.
+inline constexpr double greatest_strength = 100;
+RelaxationScene with_greatest_strength(const RelaxationScene& scene);
+
 // Names of the joints in a case, in their order: those of a jointed slope; "interface" and "base" of a row or columns;
 // "1", "2", ... of blocks.
 std::vector<std::string> joint_names(const BlockScene& scene);

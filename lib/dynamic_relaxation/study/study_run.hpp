@@ -4,6 +4,7 @@
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <functional>
+#include <vector>
 
 namespace delabole {
 
@@ -17,6 +18,21 @@ bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bo
 
 // The run of the study as it stands now, if it ended here: without history and frames.
 RelaxationRun ended_at(const RelaxationStudy& study, const Simulation& simulation);
+
+// The blocks' motion at the start of a run that nothing has preloaded.
+std::vector<Motion> initial_geometry(const RelaxationScene& scene);
+
+// Whether blocks lie on each other as drawn, so that they rest where they begin or fail.
+bool is_in_contact(const RelaxationStudy& study);
+
+// Whether blocks came to rest, but beyond the threshold of onset from a start, in rotation far beyond: a static solve
+// lets them creep as long as their balance improves, for instance until they lean on rock in front. False where
+// something carries them along.
+bool rests_beyond_onset(const Simulation& simulation, const std::vector<Motion>& start);
+
+// Whether statics finds no forces that hold the blocks in the initial geometry (`lacks_forces`), if it has to be asked:
+// the run has no verdict, or they came to rest after motion by which they may have jammed.
+bool cannot_stand(const Simulation& simulation);
 
 // The run of a study with `retrogression`.
 RelaxationRun run_in_stages(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);

@@ -86,7 +86,10 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
     if (value.held_by_corners) {
         text += " the blocks rest, but faces cannot take forces in equilibrium: corners on corners hold what is marked";
     } else if (!is_failure(failed.result.outcome)) {
-        text += " no forces on their faces hold the blocks in the initial geometry: they move, at most until they jam";
+        text +=
+            " the blocks rest only beyond the thresholds of onset, or no forces on their faces hold them in the "
+            "initial "
+            "geometry: they move, at most until they lean on others or jam";
     } else if (failed.result.start_balance) {
         const double ratio = failed.result.start_balance->unbalanced_ratio;
         const bool balanced = ratio <= failed.settings.equilibrium_ratio;
