@@ -57,7 +57,7 @@ struct SlopeBlock {
     std::vector<MeshIndex> vertex;  // anticlockwise; includes corners of neighbours on its faces
     std::vector<MeshIndex> joint;   // along each edge, to the next vertex: index of a name, free_surface or intact_rock
     MeshIndex rock;                 // index of a name
-    // The joint that was cut along each edge of the outline, or free_surface: it counts where the outline lies on rock.
+    // The joint that was cut along each edge of the outline, or free_surface. It counts on the frame.
     std::vector<MeshIndex> joint_along;
 };
 

@@ -84,10 +84,10 @@ const JointedSection& section_of(const SlopeGeometry& geometry, const std::vecto
 class SlopeSceneMaker {
   public:
     explicit SlopeSceneMaker(const RelaxationSlope& slope)
-        : slope_(slope), joints_(names_of(slope.joint)), rocks_(names_of(slope.rock)) {}
+        : slope_(slope), joints_(names_of(slope.joint)), rocks_(names_of(slope.rock)), rank_(ranks_of(slope.joint)) {}
 
     SlopeScene make() {
-        scene_.section = section_of(slope_.geometry, rocks_, joints_, ranks_of(slope_.joint));
+        scene_.section = section_of(slope_.geometry, rocks_, joints_, rank_);
         if (section().check != SlopeCheck::valid) {
             return refused(section().check, section().index_at_fault);
         }
@@ -102,7 +102,7 @@ class SlopeSceneMaker {
         if (slope_.frame && !add_frame()) {
             return refused(SlopeCheck::frame_without_edge, 0);
         }
-        scene_.beside_frame = length_beside_frame();
+        scene_.beside_frame = slope_.frame ? length_beside_frame() : 0;
         for (std::size_t index = 0; index < used_.size(); ++index) {
             if (!used_[index]) {
                 return refused(SlopeCheck::area_without_block, index);
@@ -203,7 +203,7 @@ class SlopeSceneMaker {
         }
     }
 
-    // The joint along an edge, to the next vertex; on the frame that of a cut along it, or else the frame's.
+    // The joint along an edge, to the next vertex; on the frame the weaker of the frame's and that of a cut along it.
     MeshIndex joint_of(const SlopeBlock& block, std::size_t edge) {
         const PlanePoint<>& from = section().vertex[block.vertex[edge]];
         const PlanePoint<>& to = section().vertex[block.vertex[(edge + 1) % block.vertex.size()]];
@@ -211,7 +211,8 @@ class SlopeSceneMaker {
             return block.joint[edge];
         }
         const MeshIndex along = block.joint_along[edge];
-        return along == free_surface ? static_cast<MeshIndex>(*frame_joint_) : along;
+        const std::size_t frame = *frame_joint_;
+        return along != free_surface && rank_[along] < rank_[frame] ? along : static_cast<MeshIndex>(frame);
     }
 
     void add_block(const SlopeBlock& block, bool fixed) {
@@ -334,20 +335,33 @@ class SlopeSceneMaker {
         return outline;
     }
 
+    // Level edges with none below them, and upright ones no higher than the frame behind.
     double length_beside_frame() {
-        constexpr double cosine = 0.995;  // of 6 deg
+        const double cosine = std::cos(degrees(6));
         Polygon<> outline = polygon_of(slope_.geometry.outline);
         if (area_properties(outline).area < 0) {
             std::ranges::reverse(outline);
         }
+        const std::size_t count = outline.size();
+        const auto any_is_below = [&](const PlanePoint<>& point) {
+            for (std::size_t edge = 0; edge < count; ++edge) {
+                const PlanePoint<>& from = outline[edge];
+                const PlanePoint<>& to = outline[(edge + 1) % count];
+                if ((from.x() < point.x()) != (to.x() < point.x()) && std::max(from.y(), to.y()) < point.y()) {
+                    return true;
+                }
+            }
+            return false;
+        };
         double length = 0;
-        for (std::size_t edge = 0; slope_.frame && edge < outline.size(); ++edge) {
+        for (std::size_t edge = 0; edge < count; ++edge) {
             const PlanePoint<>& from = outline[edge];
-            const PlanePoint<>& to = outline[(edge + 1) % outline.size()];
+            const PlanePoint<>& to = outline[(edge + 1) % count];
             const PlanePoint<> along = to - from;
-            const bool faces = along.x() > cosine * along.norm() ||
-                               (has(FrameSides::below_and_behind) && along.y() > cosine * along.norm());
-            length += faces && !on_frame(from, to) ? along.norm() : 0;
+            const bool level = along.x() > cosine * along.norm() && !any_is_below((from + to) / 2);
+            const bool upright = has(FrameSides::below_and_behind) && along.y() > cosine * along.norm() &&
+                                 (from.y() + to.y()) / 2 < behind_.top;
+            length += (level || upright) && !on_frame(from, to) ? along.norm() : 0;
         }
         return length;
     }
@@ -368,6 +382,7 @@ class SlopeSceneMaker {
     const RelaxationSlope& slope_;
     std::vector<std::string> joints_;
     std::vector<std::string> rocks_;
+    std::vector<std::size_t> rank_;  // of joints
     SlopeScene scene_ = {};
     Eigen::AlignedBox2d bounds_ = {};
     std::optional<std::size_t> intact_ = {};

@@ -4,8 +4,9 @@
 // accuracy: stiffness shifts the answer (simulation.hpp). Blocks that came to rest only after they had moved may stand
 // at one value and fail at a less demanding one; bisection sees one such change. Where the blocks at the ratio found
 // came to rest in motion, values less demanding by 2 to 10 % are tried as well, and the answer is the least demanding
-// at which they were found to fail. Blocks that rest farther than 0.002 radii from the initial geometry, or whose run
-// has no verdict, fail if statics finds no forces that hold them there (strength_bound.hpp).
+// at which they were found to fail. Blocks that rest beyond the threshold of onset from where a run began have failed.
+// Those that rest farther than 0.002 radii from the initial geometry, or whose run has no verdict, fail if statics
+// finds no forces that hold them there (strength_bound.hpp).
 #pragma once
 
 #include "dynamic_relaxation/step/outcome.hpp"

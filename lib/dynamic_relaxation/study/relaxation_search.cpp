@@ -213,16 +213,18 @@ class PathSearch {
         }
         const bool balanced =
             result.start_balance && result.start_balance->unbalanced_ratio <= settings_.equilibrium_ratio;
-        const bool from_rest = begin == Begin::from_consolidated && progress_.consolidated;
-        const std::vector<Motion> start = from_rest ? progress_.consolidated->motion : initial_geometry(scene);
-        const bool moved = (from_rest || is_in_contact(study_)) && rests_beyond_onset(simulation, start);
+        const RelaxationState* begun_at =
+            begin == Begin::from_consolidated && progress_.consolidated ? &*progress_.consolidated : nullptr;
+        const bool moved =
+            (begun_at != nullptr || is_drawn_in_contact(study_)) && rests_beyond_onset(simulation, begun_at);
         const bool has_failed = moved || cannot_stand(simulation);
         const RelaxationOutcome outcome = has_failed ? RelaxationOutcome::onset : simulation.outcome();
         progress_.probe.push_back({outcome, cost.steps, cost.contacts_evaluated, !balanced});
         if (shows_failure(outcome)) {
             progress_.failed = simulation.state();
             if (has_failed) {
-                progress_.failed->origin = moved ? start : initial_geometry(scene);
+                progress_.failed->origin =
+                    moved && begun_at != nullptr ? begun_at->motion : std::vector<Motion>(scene.block.size());
                 // Onset, so that blocks count as moving that have moved a tenth as far as the farthest.
                 progress_.failed->onset_time = progress_.failed->time;
             }
@@ -290,44 +292,50 @@ class PathSearch {
 
 }  // namespace
 
-std::vector<Motion> initial_geometry(const RelaxationScene& scene) {
-    return std::vector<Motion>(scene.block.size());
-}
-
-bool is_in_contact(const RelaxationStudy& study) {
+bool is_drawn_in_contact(const RelaxationStudy& study) {
     return !std::holds_alternative<RelaxationPolygons>(study.model.scene);
 }
 
-namespace {
-
-MotionExtremes motion_since(const Simulation& simulation, const std::vector<Motion>& start) {
-    RelaxationState state = simulation.state();
-    state.origin = start;
-    return farthest_motion(make_bodies(simulation.scene()), state);
-}
-
-}  // namespace
-
-bool rests_beyond_onset(const Simulation& simulation, const std::vector<Motion>& start) {
-    const bool carried = simulation.scene().belt || !simulation.scene().motion.empty();
-    if (simulation.outcome() != RelaxationOutcome::equilibrium || carried) {
+bool rests_beyond_onset(const Simulation& simulation, const RelaxationState* begun_at) {
+    const RelaxationScene& scene = simulation.scene();
+    if (simulation.outcome() != RelaxationOutcome::equilibrium || scene.belt || !scene.motion.empty()) {
         return false;
     }
     RelaxationSettings settings = simulation.settings();
-    const MotionExtremes farthest = motion_since(simulation, start);
-    // Some lean beyond the threshold before they jam; their centroids move with it, by as much in radii.
-    const double leaned = farthest.rotation;
-    const auto is_farther_than = [&](const MotionExtremes& settlement) {
-        return farthest.rotation > far_beyond_onset * settings.onset_rotation + settlement.rotation ||
-               farthest.displacement > settings.onset_slide + leaned + settlement.displacement;
+    const Bodies bodies = make_bodies(scene);
+    const std::vector<Motion> start = begun_at != nullptr ? begun_at->motion : std::vector<Motion>(bodies.size());
+    // Whether a block has moved beyond the thresholds and its settlement. Some lean beyond the threshold before they
+    // jam; their centroids move with it, by as much in radii.
+    const auto any_is_beyond = [&](const std::vector<Motion>& settled) {
+        constexpr double most_settlement = 0.1;  // radii or rad: more is motion that no strength prevents
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            const auto moved_to = [&](const Motion& now) {
+                const double displacement = std::hypot(now.x - start[block].x, now.y - start[block].y);
+                return MotionExtremes{std::abs(now.angle - start[block].angle), displacement / bodies.radius[block]};
+            };
+            const MotionExtremes moved = moved_to(simulation.state().motion[block]);
+            const MotionExtremes allowed = moved_to(settled[block]);
+            if (bodies.fixed[block] == 0 && simulation.state().removed[block] == 0 &&
+                (moved.rotation >
+                     far_beyond_onset * settings.onset_rotation + std::min(allowed.rotation, most_settlement) ||
+                 moved.displacement >
+                     settings.onset_slide + moved.rotation + std::min(allowed.displacement, most_settlement))) {
+                return true;
+            }
+        }
+        return false;
     };
-    if (!is_farther_than({})) {
+    if (!any_is_beyond(start)) {
         return false;
     }
     // Blocks on soft joints settle by as much, however strong these are.
     settings.creep = false;
-    const Simulation settled(with_greatest_strength(simulation.scene()), settings);
-    return is_farther_than(motion_since(settled, initial_geometry(simulation.scene())));
+    settings.start = RelaxationStart::preloaded;
+    const RelaxationScene strong = with_greatest_strength(scene);
+    const Simulation settled =
+        begun_at != nullptr ? Simulation(strong, settings, ConsolidatedState{*begun_at}) : Simulation(strong, settings);
+    const std::optional<StartBalance>& balance = settled.state().start_balance;
+    return !balance || balance->unbalanced_ratio > settings.equilibrium_ratio || any_is_beyond(settled.state().motion);
 }
 
 bool cannot_stand(const Simulation& simulation) {
@@ -335,7 +343,9 @@ bool cannot_stand(const Simulation& simulation) {
     bool open = outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
                 outcome == RelaxationOutcome::energy_not_balanced;
     if (outcome == RelaxationOutcome::equilibrium) {
-        const MotionExtremes farthest = motion_since(simulation, initial_geometry(simulation.scene()));
+        RelaxationState state = simulation.state();
+        state.origin.assign(state.motion.size(), {});
+        const MotionExtremes farthest = farthest_motion(make_bodies(simulation.scene()), state);
         constexpr double beyond_settlement = 0.002;  // rad, or of a radius: blocks as stiff as usual settle by a third
         open = std::max(farthest.rotation, farthest.displacement) > beyond_settlement;
     }

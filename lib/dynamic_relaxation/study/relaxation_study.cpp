@@ -224,12 +224,11 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
         });
     progress.state = simulation.state();
     made = ended_at(study, simulation);
-    const bool moved = is_in_contact(study) && rests_beyond_onset(simulation, initial_geometry(made.scene));
     const bool rests = made.result.outcome == RelaxationOutcome::equilibrium && !made.result.onset_time;
-    if (rests && (moved || cannot_stand(simulation))) {
-        // The static solve of the start has moved the blocks until they lean on others or jam.
+    if (rests && is_drawn_in_contact(study) && (rests_beyond_onset(simulation) || cannot_stand(simulation))) {
+        // They have moved before the first step, in the static solve, until they leaned on others or jammed.
         RelaxationState state = simulation.state();
-        state.origin = initial_geometry(made.scene);
+        state.origin.assign(state.motion.size(), {});
         state.onset_time = 0;
         made = ended_at(study, Simulation(made.scene, made.settings, std::move(state)));
         made.result.outcome = made.settings.stop_at_onset ? RelaxationOutcome::onset : made.result.outcome;

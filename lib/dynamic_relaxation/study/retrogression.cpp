@@ -193,8 +193,8 @@ class Retrogression {
             [] {});
         made.end = simulation.state();
         made.result = simulation.result();
-        if (const std::vector<Motion> start = initial_geometry(made.scene); rests_beyond_onset(simulation, start)) {
-            made.end->origin = start;
+        if (rests_beyond_onset(simulation)) {
+            made.end->origin.assign(made.end->motion.size(), {});
             made.end->onset_time = made.end->time;
             made.result = Simulation(made.scene, settings_, *made.end).result();
             made.result.outcome = RelaxationOutcome::onset;

@@ -20,12 +20,14 @@
 namespace delabole {
 
 // `factor` is more than 0. No friction angle is raised beyond 89.9 deg, near which scenes are refused. Two faces in
-// contact have the properties of the one with less friction after the reduction.
+// contact have the properties of the weaker one after the reduction.
 RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std::size_t> materials, double factor);
 
 // Blocks that do not stand with so many times their strength do not stand with any. Cones of still greater friction are
 // half planes but for some digits, with which linear programmes of a thousand blocks have no end.
 inline constexpr double greatest_strength = 100;
+
+// Every joint and the rock in it so many times as strong.
 RelaxationScene with_greatest_strength(const RelaxationScene& scene);
 
 // Names of the joints in a case, in their order: those of a jointed slope; "interface" and "base" of a row or columns;

@@ -4,7 +4,6 @@
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <functional>
-#include <vector>
 
 namespace delabole {
 
@@ -19,16 +18,13 @@ bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bo
 // The run of the study as it stands now, if it ended here: without history and frames.
 RelaxationRun ended_at(const RelaxationStudy& study, const Simulation& simulation);
 
-// The blocks' motion at the start of a run that nothing has preloaded.
-std::vector<Motion> initial_geometry(const RelaxationScene& scene);
+// Whether blocks are drawn lying on each other, so that they rest where they begin or fail.
+bool is_drawn_in_contact(const RelaxationStudy& study);
 
-// Whether blocks lie on each other as drawn, so that they rest where they begin or fail.
-bool is_in_contact(const RelaxationStudy& study);
-
-// Whether blocks came to rest, but beyond the threshold of onset from a start, in rotation far beyond: a static solve
-// lets them creep as long as their balance improves, for instance until they lean on rock in front. False where
-// something carries them along.
-bool rests_beyond_onset(const Simulation& simulation, const std::vector<Motion>& start);
+// Whether blocks came to rest, but beyond the threshold of onset, in rotation far beyond, from where they began: the
+// state at rest `begun_at`, or else the initial geometry. A static solve lets them creep as long as their balance
+// improves, for instance until they lean on rock in front. False where something carries them along.
+bool rests_beyond_onset(const Simulation& simulation, const RelaxationState* begun_at = nullptr);
 
 // Whether statics finds no forces that hold the blocks in the initial geometry (`lacks_forces`), if it has to be asked:
 // the run has no verdict, or they came to rest after motion by which they may have jammed.

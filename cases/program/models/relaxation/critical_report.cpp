@@ -87,9 +87,8 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
         text += " the blocks rest, but faces cannot take forces in equilibrium: corners on corners hold what is marked";
     } else if (!is_failure(failed.result.outcome)) {
         text +=
-            " the blocks rest only beyond the thresholds of onset, or no forces on their faces hold them in the "
-            "initial "
-            "geometry: they move, at most until they lean on others or jam";
+            " the blocks rest only beyond the thresholds of onset, or no forces on their faces hold them as drawn: "
+            "they move, at most until they lean on others or jam";
     } else if (failed.result.start_balance) {
         const double ratio = failed.result.start_balance->unbalanced_ratio;
         const bool balanced = ratio <= failed.settings.equilibrium_ratio;

@@ -62,8 +62,12 @@ void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& mad
     for (std::size_t index = 0; index < section.cut.size(); ++index) {
         const SlopeCut& cut = slope.geometry.cut[index];
         const std::string name = indexed("scene.cut", index) + " (" + cut.name + ")";
-        if (section.cut[index].made + section.cut[index].along == 0) {
-            analysis.warnings.push_back(name + " divides no block");
+        if (section.cut[index].made == 0) {
+            analysis.warnings.push_back(name + " divides no block" +
+                                        (section.cut[index].along == 0
+                                             ? ""
+                                             : ": it runs along other joints, of which the weaker counts, or along the "
+                                               "outline, where it counts on the frame alone"));
         } else if (section.cut[index].dropped > 0 && std::holds_alternative<LineCut>(cut.trace)) {
             analysis.warnings.push_back(name + " ends inside a block, which holds there like intact rock");
         }

@@ -63,6 +63,18 @@ TEST(StrengthReduction, ABlockOnAPlaneSlidesAtTheRatioOfTangents) {
     }
 }
 
+// The block settles by more than twice the threshold of onset, and by as much however strong its joint is. That is no
+// failure.
+TEST(StrengthReduction, SoftJointsSettle) {
+    RelaxationStudy study = squat_block(degrees(30), degrees(40));
+    const double weight = 2700 * gravity * 2;
+    const double radius = std::sqrt(1.25);
+    auto& row = std::get<RelaxationRow>(study.model.scene);
+    row.base.normal_stiffness = weight / 2 / (0.025 * radius);  // at each of two corners
+    row.base.shear_stiffness = row.base.normal_stiffness;
+    EXPECT_NEAR(find_critical(study).value(), std::tan(degrees(40)) / std::tan(degrees(30)), half_bracket);
+}
+
 TEST(StrengthReduction, AFactorFromAConsolidatedStateIsTriedWithoutItsHistory) {
     RelaxationStudy study = squat_block(degrees(30), degrees(40));
     const CriticalAnswer found = find_critical(study);
