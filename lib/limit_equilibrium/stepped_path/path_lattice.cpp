@@ -265,6 +265,8 @@ PathLattice::EdgeWater PathLattice::water_on(const Point& from, const Point& to)
         const Point point = from + share * edge;
         return a.y() + (point.x() - a.x()) * ((b.y() - a.y()) / (b.x() - a.x())) - point.y();
     };
+    const double left = std::min(from.x(), to.x());
+    const double right = std::max(from.x(), to.x());
     double moment = 0;
     const std::size_t last = water_surface_.size() - 2;
     for (std::size_t segment = 0; segment <= last; ++segment) {
@@ -274,11 +276,11 @@ PathLattice::EdgeWater PathLattice::water_on(const Point& from, const Point& to)
         const double lower = segment == 0 ? -std::numeric_limits<double>::infinity() : water_surface_[segment].x();
         const double upper =
             segment == last ? std::numeric_limits<double>::infinity() : water_surface_[segment + 1].x();
-        if (edge.x() == 0) {
-            if (!(from.x() >= lower && from.x() < upper)) {
-                continue;
-            }
-        } else {
+        const bool upright = left == right;
+        if (upright ? left < lower || left >= upper : right <= lower || left >= upper) {
+            continue;
+        }
+        if (!upright) {
             double at_lower = (lower - from.x()) / edge.x();
             double at_upper = (upper - from.x()) / edge.x();
             if (at_lower > at_upper) {
