@@ -127,7 +127,7 @@ inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>
 }
 
 // Index of the governing joint among the scene's materials: of two edges that lie on each other, the joint of the one
-// with less friction, or else with less cohesion.
+// with less friction, or with less cohesion if both have the same friction.
 inline std::size_t weaker_joint(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
                                 std::size_t other_edge) {
     const std::size_t one = bodies.material[edge];

@@ -124,8 +124,8 @@ struct MotionExtremes {
     double displacement = 0;  // of the centroid, in radii of the block
 };
 
-// In thresholds of onset. Blocks that have been pushed, or that jam only after they have leaned, may pass the
-// thresholds and come to rest.
+// Motion of so many thresholds of onset is failure, even if it slows down. Blocks that have been pushed, or that jam
+// only after they have leaned, may pass a single threshold and come to rest.
 inline constexpr double far_beyond_onset = 2;
 
 MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& state);

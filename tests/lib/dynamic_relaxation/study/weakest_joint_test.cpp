@@ -102,7 +102,7 @@ TEST(WeakestJoint, AWeakPlaneAlongTheFrameCounts) {
     // Contacts at the ends of faces stand for a linear pressure to a few percent.
     EXPECT_NEAR(factor({low}), with_share(lower_half), 0.03 * strong);
     EXPECT_NEAR(factor({high}), with_share(1 - lower_half), 0.03 * strong);
-    // Of two joints with one friction, the one with less cohesion counts.
+    // Where both joints have the same friction, the one with less cohesion counts.
     EXPECT_NEAR(factor({plane("weak", 0, 0)}, 1e6), expected, within_bracket);
     EXPECT_NEAR(factor({plane("strong", 0, 0), plane("weak", 0, 0)}, 1e6), expected, within_bracket);
 }
@@ -114,7 +114,7 @@ TEST(WeakestJoint, AWeakPlaneIsNotLostBesideADivisionOfIntactRock) {
     auto& slope = std::get<RelaxationSlope>(study.model.scene);
     slope.frame->sides = FrameSides::below;
     slope.geometry.outline = {{0, 0}, {10, 0}, {10, 10}, {9, 10}, {8, 5}, {4, 5}};
-    EXPECT_NEAR(find_critical(study).value(), std::tan(degrees(20)) / (1.22), within_bracket);
+    EXPECT_NEAR(find_critical(study).value(), std::tan(degrees(20)) / 1.22, within_bracket);
 }
 
 // A block slides on a plane at 48 deg that daylights above level ground.
