@@ -312,8 +312,7 @@ void cut_as_far_as_others(CuttingWork& work, std::vector<CutCount>& count) {
     for (const DrawnLine& line : work.drawn) {
         if (ends_in_a_block(line)) {
             const CutCount again = cut_pieces(work, line.middle, line.joint);
-            CutCount& of_line = count[line.cut];
-            of_line = {of_line.made + again.made, again.dropped, of_line.along + again.along};
+            count[line.cut] = {count[line.cut].made + again.made, again.dropped, count[line.cut].along + again.along};
             rocks_change = rocks_change || again.made > 0;
         }
     }

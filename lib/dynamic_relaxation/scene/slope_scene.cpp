@@ -115,7 +115,6 @@ class SlopeSceneMaker {
 
   private:
     JointedSection& section() { return scene_.section; }
-    const JointedSection& section() const { return scene_.section; }
 
     static SlopeScene refused(SlopeCheck check, std::size_t index) {
         SlopeScene scene;
@@ -233,10 +232,8 @@ class SlopeSceneMaker {
                 made.outline.push_back(at(vertex));
                 joints.push_back(joint_at[vertex]);
             }
-            const auto framed = [&](std::size_t edge) {
-                return block.joint[edge] == free_surface && joint_at[edge] != free_surface;
-            };
-            if (joint_changes && straight && framed(before) && framed(vertex)) {
+            const bool framed = joint_at[before] != block.joint[before] && joint_at[vertex] != block.joint[vertex];
+            if (joint_changes && straight && framed) {
                 joint_change_.push_back(at(vertex));
             }
         }
@@ -311,8 +308,8 @@ class SlopeSceneMaker {
         return true;
     }
 
-    // Where the joint along the frame changes the frame has a vertex as well: the corner of the block there bears half
-    // on either joint.
+    // The frame has a vertex, too, where the joint along it changes, so that the corner of a block there bears half on
+    // either joint.
     Polygon<> with_joint_changes(const Polygon<>& rectangle) const {
         Polygon<> outline;
         for (std::size_t side = 0; side < rectangle.size(); ++side) {
@@ -320,7 +317,7 @@ class SlopeSceneMaker {
             const PlanePoint<> whole = rectangle[(side + 1) % rectangle.size()] - from;
             const double length = whole.norm();
             const PlanePoint<> along = whole / length;
-            const double near = section().snap_distance;
+            const double near = scene_.section.snap_distance;
             std::set<double> places{0};
             for (const PlanePoint<>& point : joint_change_) {
                 const double place = along.dot(point - from);

@@ -221,10 +221,11 @@ class PathSearch {
         const RelaxationOutcome outcome = has_failed ? RelaxationOutcome::onset : simulation.outcome();
         progress_.probe.push_back({outcome, cost.steps, cost.contacts_evaluated, !balanced});
         if (shows_failure(outcome)) {
-            progress_.failed = simulation.state();
+            progress_.failed = has_failed ? since_initial_geometry(simulation.state()) : simulation.state();
             if (has_failed) {
-                progress_.failed->origin =
-                    moved && begun_at != nullptr ? begun_at->motion : std::vector<Motion>(scene.block.size());
+                if (moved && begun_at != nullptr) {
+                    progress_.failed->origin = begun_at->motion;
+                }
                 // Onset, so that blocks count as moving that have moved a tenth as far as the farthest.
                 progress_.failed->onset_time = progress_.failed->time;
             }
@@ -302,7 +303,7 @@ bool rests_beyond_onset(const Simulation& simulation, const RelaxationState* beg
         return false;
     }
     RelaxationSettings settings = simulation.settings();
-    const Bodies bodies = make_bodies(scene);
+    const Bodies& bodies = simulation.bodies();
     const std::vector<Motion> start = begun_at != nullptr ? begun_at->motion : std::vector<Motion>(bodies.size());
     // Whether a block has moved beyond the thresholds and its settlement. Some lean beyond the threshold before they
     // jam; their centroids move with it, by as much in radii.
@@ -343,11 +344,9 @@ bool cannot_stand(const Simulation& simulation) {
     bool open = outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
                 outcome == RelaxationOutcome::energy_not_balanced;
     if (outcome == RelaxationOutcome::equilibrium) {
-        RelaxationState state = simulation.state();
-        state.origin.assign(state.motion.size(), {});
-        const MotionExtremes farthest = farthest_motion(make_bodies(simulation.scene()), state);
+        const MotionExtremes moved = farthest_motion(simulation.bodies(), since_initial_geometry(simulation.state()));
         constexpr double beyond_settlement = 0.002;  // rad, or of a radius: blocks as stiff as usual settle by a third
-        open = std::max(farthest.rotation, farthest.displacement) > beyond_settlement;
+        open = std::max(moved.rotation, moved.displacement) > beyond_settlement;
     }
     return open && !simulation.settings().corners_bear && lacks_forces(simulation.scene());
 }

@@ -227,8 +227,7 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
     const bool rests = made.result.outcome == RelaxationOutcome::equilibrium && !made.result.onset_time;
     if (rests && is_drawn_in_contact(study) && (rests_beyond_onset(simulation) || cannot_stand(simulation))) {
         // They have moved before the first step, in the static solve, until they leaned on others or jammed.
-        RelaxationState state = simulation.state();
-        state.origin.assign(state.motion.size(), {});
+        RelaxationState state = since_initial_geometry(simulation.state());
         state.onset_time = 0;
         made = ended_at(study, Simulation(made.scene, made.settings, std::move(state)));
         made.result.outcome = made.settings.stop_at_onset ? RelaxationOutcome::onset : made.result.outcome;

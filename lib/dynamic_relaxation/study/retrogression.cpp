@@ -194,7 +194,7 @@ class Retrogression {
         made.end = simulation.state();
         made.result = simulation.result();
         if (rests_beyond_onset(simulation)) {
-            made.end->origin.assign(made.end->motion.size(), {});
+            made.end = since_initial_geometry(simulation.state());
             made.end->onset_time = made.end->time;
             made.result = Simulation(made.scene, settings_, *made.end).result();
             made.result.outcome = RelaxationOutcome::onset;

@@ -18,6 +18,12 @@ bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bo
 // The run of the study as it stands now, if it ended here: without history and frames.
 RelaxationRun ended_at(const RelaxationStudy& study, const Simulation& simulation);
 
+// The state with displacements since the initial geometry instead of since the static solve at the start.
+inline RelaxationState since_initial_geometry(RelaxationState state) {
+    state.origin.assign(state.motion.size(), {});
+    return state;
+}
+
 // Whether blocks are drawn lying on each other, so that they rest where they begin or fail.
 bool is_drawn_in_contact(const RelaxationStudy& study);
 
