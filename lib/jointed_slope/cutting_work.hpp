@@ -4,10 +4,12 @@
 #include "geometry/polyline.hpp"
 #include "jointed_slope/face_cutting.hpp"
 #include "jointed_slope/jointed_section.hpp"
+#include "jointed_slope/placed_set.hpp"
 
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,30 @@ struct CutSet {
     PlanePoint<> normal;
     std::vector<double> position;  // increasing
     double spacing;
+};
+
+// A joint set, to be cut again.
+struct PlacedSet {
+    std::size_t cut;  // its number among the cuts
+    MeshIndex joint;
+    MeshIndex rock;  // the only one that is cut, or no_index
+    StraightLine upright;
+    std::vector<double> position;  // of the joints, increasing
+    std::int64_t first_number;     // of the first of them
+    Reach reach;
+    DistanceRange in_region;
+    const Polyline* feature;  // the line that bounds the set; null: none
+    bool above;               // that line
+    const CutSet* columns;    // the set by which the joints are staggered; null: none
+    double spacing;
+    double stagger_share;
+};
+
+// A part of a joint that ends inside a face.
+struct UnfinishedPart {
+    MeshIndex face;
+    std::size_t cut;
+    MeshSegment piece;  // that part, or the straight piece of a line to which it belongs
 };
 
 struct RocksOfLine {
@@ -42,10 +68,17 @@ struct CuttingWork {
     double snap;
     PlanePoint<> datum;  // from which the offsets of sets are measured, if they name no point
     std::vector<DrawnLine> drawn = {};
+    std::vector<PlacedSet> bounded = {};                     // sets some of whose joints end inside blocks
     std::map<std::string, Polyline, std::less<>> line = {};  // towards +x
     std::map<std::string, CutSet, std::less<>> set = {};
     std::vector<MeshIndex> gouge = {};   // rocks that may be thin
     std::vector<std::size_t> rank = {};  // of joints, by strength
+
+    // Those parts that are not so short that they end where they begin.
+    std::vector<LinePart> well_inside(std::vector<LinePart> parts) const {
+        std::erase_if(parts, [&](const LinePart& part) { return !(part.end - part.begin > 4 * snap); });
+        return parts;
+    }
 
     // Rock between joints is stronger than they.
     std::size_t rank_of(MeshIndex joint) const { return joint < rank.size() ? rank[joint] : no_index; }
@@ -85,13 +118,30 @@ void divide_into_convex(SectionMesh& mesh, double snap);
 // `number` of the cut seeds a set that has no seed of its own. `rock`: the only rock that is cut, or no_index.
 CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& set, std::size_t number, MeshIndex joint,
                  MeshIndex rock, SlopeCheck& check);
+// What a set would cut at most is checked before it is cut the first time.
+enum class CutTime { in_order, once_more };
+CutCount cut_placed_set(CuttingWork& work, const PlacedSet& set, CutTime time, SlopeCheck& check);
+std::vector<UnfinishedPart> unfinished_parts(const CuttingWork& work, const PlacedSet& set);
 
 CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line, std::size_t number, MeshIndex joint,
                   const RocksOfLine& rocks, SlopeCheck& check);
+// Cuts the blocks that a line crosses from side to side.
+CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint);
+std::vector<UnfinishedPart> unfinished_parts(const CuttingWork& work, const DrawnLine& line);
+void give_rocks(CuttingWork& work, const DrawnLine& line);
 
-// Cuts again, after all cuts, the lines that ended inside a block: as far as another cut that was made later, or as a
-// point inside a block at which they meet or cross another line. `count` holds those of all cuts.
-void cut_as_far_as_others(CuttingWork& work, std::vector<CutCount>& count);
+// The one of some faces that contains a point well inside it; no_index if there is none.
+MeshIndex face_around(const SectionMesh& mesh, std::span<const MeshIndex> faces, const PlanePoint<>& point,
+                      double snap);
+// Divides that one, if there is any, along a line through the point, and puts a vertex there; adds the new face.
+void divide_around(SectionMesh& mesh, std::vector<MeshIndex>& faces, const PlanePoint<>& point,
+                   const PlanePoint<>& direction, double snap);
+StraightLine line_through(const PlanePoint<>& a, const PlanePoint<>& b);
+
+// Cuts again, after all cuts, lines and joints of sets that ended inside a block: as far as another cut that was made
+// later, or as a point inside a block at which they meet or cross another one. `count` holds those of all cuts. Returns
+// the cut by which there are too many blocks, if any.
+std::optional<std::size_t> cut_as_far_as_others(CuttingWork& work, std::vector<CutCount>& count);
 
 // Joins again the faces that were divided only to stay convex.
 void rejoin_intact(SectionMesh& mesh);

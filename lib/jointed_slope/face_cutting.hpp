@@ -23,6 +23,7 @@ struct StraightLine {
         return normal.x() * point.x() + normal.y() * point.y() - position;
     }
     double place(const PlanePoint<>& point) const { return along.x() * point.x() + along.y() * point.y(); }
+    PlanePoint<> at(double place) const { return position * normal + place * along; }
 };
 
 enum class FaceCut {

@@ -226,7 +226,9 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
             return refuse(cutter.check(), index);
         }
     }
-    cut_as_far_as_others(work, section.cut);
+    if (const std::optional<std::size_t> cut = cut_as_far_as_others(work, section.cut)) {
+        return refuse(SlopeCheck::too_many_blocks, *cut);
+    }
     rejoin_intact(work.mesh);
     section.typical_area = typical_area(work);
     merge_slivers(work, geometry.sliver_share.value_or(SlopeGeometry::standard_sliver_share), section);

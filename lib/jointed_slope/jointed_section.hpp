@@ -1,12 +1,12 @@
 // Blocks of a slope that are cut by joints, faults and boundaries, in exact contact.
 //
 // The outline is first divided into convex parts, from each re-entrant corner to the opposite side. Then the cuts are
-// made in their order, each through every block that it crosses from side to side; lines that ended inside a block are
-// cut again as far as cuts that came later and other lines that they meet. Finally, parts that were divided only to
-// stay convex are joined again if the result is a convex block. Slivers are merged in the same way where the merged
-// block does not reach across a joint that runs on; other small ones are taken away, and leave a void. Blocks that
-// share an edge share the numbers of its ends: their areas and those of the voids add up to that of the outline to
-// rounding, and nothing overlaps.
+// made in their order, each through every block that it crosses from side to side; lines and joints of sets that ended
+// inside a block are cut again as far as cuts that came later and others that they meet there. Finally, parts that were
+// divided only to stay convex are joined again if the result is a convex block. Slivers are merged in the same way
+// where the merged block does not reach across a joint that runs on; other small ones are taken away, and leave a void.
+// Blocks that share an edge share the numbers of its ends: their areas and those of the voids add up to that of the
+// outline to rounding, and nothing overlaps.
 //
 // All lengths are relative to the outline's first corner: a section moved by a number that its coordinates can
 // represent, mirrored or scaled by a power of two gives the same blocks to the last bit. Cost: proportional to the
@@ -65,7 +65,7 @@ struct SlopeBlock {
 // larger.
 struct CutCount {
     std::size_t made = 0;     // blocks divided
-    std::size_t dropped = 0;  // blocks that one of its joints would divide if it reached from side to side
+    std::size_t dropped = 0;  // places where a joint ends inside a block, which it does not divide
     std::size_t along = 0;    // edges that were there before, on a stronger joint or on the outline
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -50,23 +51,6 @@ Faces faces_of(const Polyline& middle, double half_thickness) {
     return faces;
 }
 
-// The face that contains a point well inside it; no_index if there is none.
-MeshIndex face_around(const SectionMesh& mesh, const PlanePoint<>& point, double snap) {
-    for (MeshIndex face = 0; face < mesh.face_count(); ++face) {
-        bool inside = mesh.alive(face);
-        if (inside) {
-            mesh.for_each_edge(face, [&](MeshIndex edge) {
-                const PlanePoint<> along = mesh.end(edge) - mesh.start(edge);
-                inside = inside && left_of(along).dot(point - mesh.start(edge)) > snap * along.norm();
-            });
-        }
-        if (inside) {
-            return face;
-        }
-    }
-    return no_index;
-}
-
 // Puts a vertex on an edge at a point that lies on it; returns false if it does not.
 bool put_vertex(SectionMesh& mesh, MeshIndex edge, const PlanePoint<>& point, double snap) {
     const PlanePoint<> direction = (mesh.end(edge) - mesh.start(edge)).normalized();
@@ -92,15 +76,89 @@ void put_vertex(SectionMesh& mesh, const PlanePoint<>& point, double snap) {
     }
 }
 
+// Returns the new face; no_index if there is none.
+MeshIndex divide_through(SectionMesh& mesh, MeshIndex face, const PlanePoint<>& point, const PlanePoint<>& direction,
+                         double snap) {
+    const PlanePoint<> normal = left_of(direction);
+    const StraightLine line{normal, direction, normal.dot(point)};
+    return cut_face(mesh, face, line, snap, intact_rock, [](double, double) { return true; }).beyond;
+}
+
 void divide_at_bend(SectionMesh& mesh, const PlanePoint<>& bend, const PlanePoint<>& halving, double snap) {
-    const MeshIndex face = face_around(mesh, bend, snap);
-    if (face != no_index) {
-        const PlanePoint<> normal = left_of(halving);
-        const StraightLine line{normal, halving, normal.dot(bend)};
-        cut_face(mesh, face, line, snap, intact_rock, [](double, double) { return true; });
+    std::vector<MeshIndex> all(mesh.face_count());
+    std::iota(all.begin(), all.end(), MeshIndex{0});
+    if (const MeshIndex face = face_around(mesh, all, bend, snap); face != no_index) {
+        divide_through(mesh, face, bend, halving, snap);
     }
     // The bend lies on an edge: that of the division just made, of one made for the fault's other face, or of a joint.
     put_vertex(mesh, bend, snap);
+}
+
+// Points at which a line does not bend would divide blocks.
+void remove_straight(Polyline& middle, double snap) {
+    constexpr double straight = 1e-3;  // of the snap distance
+    for (std::size_t index = 1; index + 1 < middle.size();) {
+        const StraightLine chord = line_through(middle[index - 1], middle[index + 1]);
+        const double place = chord.place(middle[index]);
+        if (std::abs(chord.distance(middle[index])) < straight * snap && place > chord.place(middle[index - 1]) &&
+            place < chord.place(middle[index + 1])) {
+            middle.erase(middle.begin() + static_cast<std::ptrdiff_t>(index));
+        } else {
+            ++index;
+        }
+    }
+}
+
+// Places between which a line's piece cuts: it ends at the corner to which a bend has snapped.
+LinePart reach_of(const StraightLine& straight, const PlanePoint<>& from, const PlanePoint<>& to, double snap) {
+    return {straight.place(from) - 2 * snap, straight.place(to) + 2 * snap};
+}
+
+// Whether a piece that does not cross a face from side to side ends inside it.
+bool ends_in(const SectionMesh& mesh, MeshIndex face, const StraightLine& straight, const LinePart& reach,
+             double snap) {
+    const std::optional<Chord> chord = find_chord(mesh, face, straight, snap);
+    if (!chord) {
+        return false;
+    }
+    const auto [one, other] = std::minmax({straight.place(chord->rising.at), straight.place(chord->falling.at)});
+    return other > reach.begin + 4 * snap && one < reach.end - 4 * snap;
+}
+
+}  // namespace
+
+MeshIndex face_around(const SectionMesh& mesh, std::span<const MeshIndex> faces, const PlanePoint<>& point,
+                      double snap) {
+    for (const MeshIndex face : faces) {
+        bool inside = mesh.alive(face);
+        if (inside) {
+            mesh.for_each_edge(face, [&](MeshIndex edge) {
+                const PlanePoint<> along = mesh.end(edge) - mesh.start(edge);
+                inside = inside && left_of(along).dot(point - mesh.start(edge)) > snap * along.norm();
+            });
+        }
+        if (inside) {
+            return face;
+        }
+    }
+    return no_index;
+}
+
+void divide_around(SectionMesh& mesh, std::vector<MeshIndex>& faces, const PlanePoint<>& point,
+                   const PlanePoint<>& direction, double snap) {
+    const MeshIndex face = face_around(mesh, faces, point, snap);
+    const MeshIndex beyond = face != no_index ? divide_through(mesh, face, point, direction, snap) : no_index;
+    if (beyond == no_index) {
+        return;
+    }
+    faces.push_back(beyond);
+    std::vector<MeshIndex> edges;
+    mesh.for_each_edge(beyond, [&](MeshIndex edge) { edges.push_back(edge); });
+    for (const MeshIndex edge : edges) {
+        if (put_vertex(mesh, edge, point, snap)) {
+            return;
+        }
+    }
 }
 
 StraightLine line_through(const PlanePoint<>& a, const PlanePoint<>& b) {
@@ -110,7 +168,10 @@ StraightLine line_through(const PlanePoint<>& a, const PlanePoint<>& b) {
     return {normal, along, (normal.dot(a) + normal.dot(b)) / 2};
 }
 
-void give_rocks(CuttingWork& work, const Polyline& middle, double half_thickness, const RocksOfLine& rocks) {
+void give_rocks(CuttingWork& work, const DrawnLine& line) {
+    const Polyline& middle = line.middle;
+    const double half_thickness = line.half_thickness;
+    const RocksOfLine& rocks = line.rocks;
     if (half_thickness == 0 && rocks.above == no_index && rocks.below == no_index) {
         return;
     }
@@ -138,31 +199,13 @@ void give_rocks(CuttingWork& work, const Polyline& middle, double half_thickness
     }
 }
 
-// Points at which a line does not bend would divide blocks.
-void remove_straight(Polyline& middle, double snap) {
-    constexpr double straight = 1e-3;  // of the snap distance
-    for (std::size_t index = 1; index + 1 < middle.size();) {
-        const StraightLine chord = line_through(middle[index - 1], middle[index + 1]);
-        const double place = chord.place(middle[index]);
-        if (std::abs(chord.distance(middle[index])) < straight * snap && place > chord.place(middle[index - 1]) &&
-            place < chord.place(middle[index + 1])) {
-            middle.erase(middle.begin() + static_cast<std::ptrdiff_t>(index));
-        } else {
-            ++index;
-        }
-    }
-}
-
-// Cuts the blocks that a line crosses from side to side.
 CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint) {
     CutCount count;
     SectionMesh& mesh = work.mesh;
     for (std::size_t piece = 1; piece < line.size(); ++piece) {
         const StraightLine straight = line_through(line[piece - 1], line[piece]);
-        // A cut ends at the corner to which a bend has snapped.
-        const double first = straight.place(line[piece - 1]) - 2 * work.snap;
-        const double last = straight.place(line[piece]) + 2 * work.snap;
-        const auto reaches = [&](double from, double to) { return from >= first && to <= last; };
+        const LinePart reach = reach_of(straight, line[piece - 1], line[piece], work.snap);
+        const auto reaches = [&](double from, double to) { return from >= reach.begin && to <= reach.end; };
         for (MeshIndex edge = 0; edge < mesh.edge_count(); ++edge) {
             for (const PlanePoint<>& end : {line[piece - 1], line[piece]}) {
                 if (work.is_stronger_along(edge, straight, joint)) {
@@ -175,80 +218,11 @@ CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint) {
         for (MeshIndex face = 0; face < before; ++face) {
             const FaceCutResult result = cut_face(mesh, face, straight, work.snap, joint, reaches);
             count.made += result.cut == FaceCut::made ? 1 : 0;
-            if (result.cut == FaceCut::dropped) {
-                const Chord chord = *find_chord(mesh, face, straight, work.snap);
-                const double one = straight.place(chord.rising.at);
-                const double other = straight.place(chord.falling.at);
-                const bool reached =
-                    std::max(one, other) > first + 4 * work.snap && std::min(one, other) < last - 4 * work.snap;
-                count.dropped += reached ? 1 : 0;
-            }
+            count.dropped += result.cut == FaceCut::dropped && ends_in(mesh, face, straight, reach, work.snap) ? 1 : 0;
         }
     }
     return count;
 }
-
-// The point at which two straight pieces cross, or at which one of them ends on the other.
-std::optional<PlanePoint<>> meeting_point(const MeshSegment& one, const MeshSegment& other, double snap) {
-    for (const auto& [ends, along] : {std::pair(one, other), std::pair(other, one)}) {
-        const PlanePoint<> direction = (along.second - along.first).normalized();
-        for (const PlanePoint<>& end : {ends.first, ends.second}) {
-            const double place = direction.dot(end - along.first);
-            if (std::abs(left_of(direction).dot(end - along.first)) < snap && place > -snap &&
-                direction.dot(along.second - end) > -snap) {
-                return end;
-            }
-        }
-    }
-    const StraightLine along_one = line_through(one.first, one.second);
-    const StraightLine along_other = line_through(other.first, other.second);
-    const double from_first = along_other.distance(one.first);
-    const double from_second = along_other.distance(one.second);
-    const bool cross = (from_first > 0) != (from_second > 0) &&
-                       (along_one.distance(other.first) > 0) != (along_one.distance(other.second) > 0);
-    return cross ? std::optional(point_between(one, std::abs(from_first), std::abs(from_second))) : std::nullopt;
-}
-
-// The direction from a point on a piece of a line, inside a face, to the side of the face that the piece reaches: its
-// other end may lie just beyond the point. Where it reaches both sides or none, the longer way.
-PlanePoint<> arm_of(const SectionMesh& mesh, MeshIndex face, const MeshSegment& piece, const PlanePoint<>& at,
-                    double snap) {
-    const StraightLine straight = line_through(piece.first, piece.second);
-    const double first = straight.place(piece.first);
-    const double last = straight.place(piece.second);
-    bool forth = last - straight.place(at) > straight.place(at) - first;
-    if (const std::optional<Chord> chord = find_chord(mesh, face, straight, snap)) {
-        const double one = straight.place(chord->rising.at);
-        const double other = straight.place(chord->falling.at);
-        const bool reaches_back = first - 2 * snap <= std::min(one, other);
-        const bool reaches_forth = last + 2 * snap >= std::max(one, other);
-        forth = reaches_back == reaches_forth ? forth : reaches_forth;
-    }
-    return forth ? straight.along : PlanePoint<>(-straight.along);
-}
-
-// Divides the blocks inside which two lines meet, as at a bend from an arm of one to an arm of the other.
-void divide_where_they_meet(CuttingWork& work, const Polyline& one, const Polyline& other) {
-    constexpr double least_turn = 0.1;  // rad; lines that differ by less run along each other
-    for (std::size_t index = 1; index < one.size(); ++index) {
-        const MeshSegment piece{one[index - 1], one[index]};
-        for (std::size_t second = 1; second < other.size(); ++second) {
-            const MeshSegment other_piece{other[second - 1], other[second]};
-            const auto at = meeting_point(piece, other_piece, work.snap);
-            const MeshIndex face = at ? face_around(work.mesh, *at, work.snap) : no_index;
-            if (face == no_index) {
-                continue;
-            }
-            const PlanePoint<> turn =
-                arm_of(work.mesh, face, piece, *at, work.snap) - arm_of(work.mesh, face, other_piece, *at, work.snap);
-            if (turn.norm() > least_turn) {
-                divide_at_bend(work.mesh, *at, left_of(turn.normalized()), work.snap);
-            }
-        }
-    }
-}
-
-}  // namespace
 
 CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line, std::size_t number, MeshIndex joint,
                   const RocksOfLine& rocks, SlopeCheck& check) {
@@ -288,39 +262,27 @@ CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line,
         count.along += of_face.along;
         count.dropped += of_face.dropped;
     }
-    work.drawn.push_back({number, middle, half_thickness, joint, rocks});
     if (half_thickness > 0) {
         work.gouge.push_back(rocks.gouge);
     }
-    give_rocks(work, middle, half_thickness, rocks);
+    work.drawn.push_back({number, middle, half_thickness, joint, rocks});
+    give_rocks(work, work.drawn.back());
     return count;
 }
 
-void cut_as_far_as_others(CuttingWork& work, std::vector<CutCount>& count) {
-    const auto ends_in_a_block = [&](const DrawnLine& line) {
-        return line.half_thickness == 0 && count[line.cut].dropped > 0;
-    };
-    for (std::size_t one = 0; one < work.drawn.size(); ++one) {
-        for (std::size_t other = 0; other < one; ++other) {
-            // A line that crosses all blocks from side to side needs no division for another one to end on it.
-            if (ends_in_a_block(work.drawn[one]) && ends_in_a_block(work.drawn[other])) {
-                divide_where_they_meet(work, work.drawn[one].middle, work.drawn[other].middle);
+std::vector<UnfinishedPart> unfinished_parts(const CuttingWork& work, const DrawnLine& line) {
+    std::vector<UnfinishedPart> unfinished;
+    for (std::size_t piece = 1; piece < line.middle.size(); ++piece) {
+        const MeshSegment segment{line.middle[piece - 1], line.middle[piece]};
+        const StraightLine straight = line_through(segment.first, segment.second);
+        const LinePart reach = reach_of(straight, segment.first, segment.second, work.snap);
+        for (MeshIndex face = 0; face < work.mesh.face_count(); ++face) {
+            if (ends_in(work.mesh, face, straight, reach, work.snap)) {
+                unfinished.push_back({face, line.cut, segment});
             }
         }
     }
-    bool rocks_change = false;
-    for (const DrawnLine& line : work.drawn) {
-        if (ends_in_a_block(line)) {
-            const CutCount again = cut_pieces(work, line.middle, line.joint);
-            count[line.cut] = {count[line.cut].made + again.made, again.dropped, count[line.cut].along + again.along};
-            rocks_change = rocks_change || again.made > 0;
-        }
-    }
-    if (rocks_change) {
-        for (const DrawnLine& line : work.drawn) {
-            give_rocks(work, line.middle, line.half_thickness, line.rocks);
-        }
-    }
+    return unfinished;
 }
 
 }  // namespace delabole

@@ -89,6 +89,19 @@ bool has_the_weakest_joint(const CuttingWork& work, MeshIndex face, MeshIndex ed
     return here < elsewhere && has_others;
 }
 
+// A joint between the outline and a boundary that goes, about as long as it: what slid along the boundary slides there.
+void keep_joint_on_outline(CuttingWork& work, MeshIndex face, MeshIndex boundary, double length) {
+    SectionMesh& mesh = work.mesh;
+    const MeshIndex joint = mesh.edge(boundary).joint;
+    mesh.for_each_edge(face, [&](MeshIndex edge) {
+        const bool on_outline = mesh.edge(edge).twin == no_index;
+        if (on_outline && (mesh.end(edge) - mesh.start(edge)).norm() > length / 2 &&
+            work.rank_of(joint) < work.rank_of(mesh.joint_at(edge))) {
+            mesh.set_joint(edge, joint);
+        }
+    });
+}
+
 // Merges a sliver into the neighbour with the longest common boundary among those with which it forms a convex block
 // that locks no joint.
 bool merge_sliver(CuttingWork& work, MeshIndex face) {
@@ -108,6 +121,7 @@ bool merge_sliver(CuttingWork& work, MeshIndex face) {
         }
     });
     if (best != no_index) {
+        keep_joint_on_outline(work, face, best, longest);
         mesh.merge(best);
     }
     return best != no_index;
@@ -115,13 +129,18 @@ bool merge_sliver(CuttingWork& work, MeshIndex face) {
 
 }  // namespace
 
+// Where one division ends on another, it has to go first.
 void rejoin_intact(SectionMesh& mesh) {
     const auto edges = static_cast<MeshIndex>(mesh.edge_count());
-    for (MeshIndex edge = 0; edge < edges; ++edge) {
-        const HalfEdge& half = mesh.edge(edge);
-        if (half.face != no_index && half.twin != no_index && half.joint == intact_rock && same_rock(mesh, edge) &&
-            mesh.shares_only(edge, intact_rock) && mesh.union_is_convex(edge)) {
-            mesh.merge(edge);
+    for (bool any = true; any;) {
+        any = false;
+        for (MeshIndex edge = 0; edge < edges; ++edge) {
+            const HalfEdge& half = mesh.edge(edge);
+            if (half.face != no_index && half.twin != no_index && half.joint == intact_rock && same_rock(mesh, edge) &&
+                mesh.shares_only(edge, intact_rock) && mesh.union_is_convex(edge)) {
+                mesh.merge(edge);
+                any = true;
+            }
         }
     }
 }

@@ -32,8 +32,8 @@ enum class SideOfLine { above, below };
 
 // Parallel joints. A spacing is uniformly distributed between (1 - scatter) and (1 + scatter) times the mean. With a
 // persistence below 1 each joint is a row of traces of equal length with gaps between them, which begins at random.
-// Whatever bounds a joint (trace, region, feature, rock), it divides only blocks that it crosses from side to side:
-// blocks stay convex, and a trace that ends inside a block does not divide it.
+// Whatever bounds a joint (trace, region, feature, rock), it divides only blocks that it crosses from side to side, as
+// a line does (LineCut): blocks stay convex.
 struct JointSetCut {
     double dip;
     double spacing;
@@ -81,8 +81,8 @@ struct JointSetCut {
 // A single joint, a fault or a boundary between rocks. A fault with a thickness has two faces at that distance, half of
 // it on either side of the line, with gouge between them.
 // A line divides the blocks that it crosses from side to side, also as far as a point inside a block where it meets or
-// crosses another line without a thickness, if they lie within the snap distance. A part that ends elsewhere inside a
-// block does not divide it.
+// crosses another line without a thickness, or a joint of a set, if they lie within the snap distance. A part that ends
+// elsewhere inside a block does not divide it. The order of cuts does not matter, unless sets name rocks or other cuts.
 struct LineCut {
     std::optional<double> thickness;
     std::optional<std::string> gouge;

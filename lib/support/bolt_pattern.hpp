@@ -63,22 +63,28 @@ struct BoltPattern {
     T head_height(int row) const { return T(lowest_height + T(row) * row_spacing); }
 };
 
+// Force, N, of a bolt that crosses the sliding surface so far from its head.
+template <class T>
+T force_of_bolt(const T& capacity, const std::optional<Grout<T>>& grout, const T& length,
+                const T& length_in_moving_rock) {
+    T force = capacity;
+    if (grout) {
+        const T pullout = grout->bond_strength * (length - length_in_moving_rock);
+        const T stripping = grout->plate_capacity + grout->bond_strength * length_in_moving_rock;
+        force = pullout < force ? pullout : force;
+        force = stripping < force ? stripping : force;
+    }
+    return force;
+}
+
 // Force, N/m, of a row whose bolts have that length in the moving rock; nothing if they do not cross its surface, for
 // which the length is negative.
 template <class T>
 T force_of_row(const BoltPattern<T>& pattern, const T& length_in_moving_rock) {
-    const T behind = pattern.length - length_in_moving_rock;
-    if (!(length_in_moving_rock >= 0) || !(behind > 0)) {
+    if (!(length_in_moving_rock >= 0) || !(pattern.length - length_in_moving_rock > 0)) {
         return T(0);
     }
-    T force = pattern.capacity;
-    if (pattern.grout) {
-        const T pullout = pattern.grout->bond_strength * behind;
-        const T stripping = pattern.grout->plate_capacity + pattern.grout->bond_strength * length_in_moving_rock;
-        force = pullout < force ? pullout : force;
-        force = stripping < force ? stripping : force;
-    }
-    return T(force / pattern.spacing);
+    return T(force_of_bolt(pattern.capacity, pattern.grout, pattern.length, length_in_moving_rock) / pattern.spacing);
 }
 
 // One row on a given slope.

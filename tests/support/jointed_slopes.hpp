@@ -25,6 +25,14 @@ inline JointSetCut joint_set(double dip, double spacing, double offset = 0) {
     return set;
 }
 
+// A set of which one joint, through that point, crosses a section of up to 200 m, limited to a region.
+inline JointSetCut one_joint(double dip, const SectionPoint& through, std::vector<SectionPoint> region) {
+    JointSetCut set = joint_set(dip, 200);
+    set.through = through;
+    set.region = std::move(region);
+    return set;
+}
+
 inline SlopeCut cut(std::string name, std::variant<JointSetCut, LineCut> trace) {
     return {std::move(name), "joint", std::move(trace)};
 }

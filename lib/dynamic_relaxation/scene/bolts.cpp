@@ -97,14 +97,17 @@ std::vector<BoltSegment> bolt_segments(const RelaxationScene& scene, const Relax
         return {{index, nowhere, nowhere, head, head, 0, 0, 0}};
     }
     const auto segment = [&](const Stretch& one, const Stretch& other, double begin, double end) {
+        const double capacity = bolt.bar.free_length_at_joints ? force_of_bolt(bolt.bar.capacity, bolt.bar.grout,
+                                                                               bolt.bar.length, (begin + end) / 2)
+                                                               : bolt.bar.capacity;
         return BoltSegment{index,
                            one.block,
                            other.block,
                            head + begin * along,
                            head + end * along,
                            bolt.bar.axial_stiffness / (end - begin) / bolt.bar.spacing,
-                           bolt.bar.pretension.value_or(0) / bolt.bar.spacing,
-                           bolt.bar.capacity / bolt.bar.spacing};
+                           std::min(bolt.bar.pretension.value_or(0), capacity) / bolt.bar.spacing,
+                           capacity / bolt.bar.spacing};
     };
     if (!bolt.bar.free_length_at_joints) {
         return {segment(crossed.front(), crossed.back(), 0, bolt.bar.length)};

@@ -3,7 +3,9 @@
 // A bolt without grout stretches over its whole length, between the block at its head and the one at its end. A grouted
 // bolt is held along its whole length: wherever it crosses from one block to the next, it stretches over a short free
 // length. It is elastic up to its capacity, then yields; it acts in tension only, and resists shear only in so far as
-// shear stretches it.
+// shear stretches it, which counts in motion but not for a verdict that blocks stand (study/failed_at_rest.hpp). With
+// its grout's bond strength given, its capacity and pretension at a joint are at most what grout and plate hold there
+// (support/bolt_pattern.hpp).
 #pragma once
 
 #include "dynamic_relaxation/scene/relaxation_parameters.hpp"

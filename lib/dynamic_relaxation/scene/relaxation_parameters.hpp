@@ -10,6 +10,7 @@
 #include "jointed_slope/slope_geometry.hpp"
 #include "parameters/fields.hpp"
 #include "parameters/lengths.hpp"
+#include "support/bolt_pattern.hpp"
 
 #include <optional>
 #include <string>
@@ -299,6 +300,7 @@ struct BoltBar {
     double capacity;
     std::optional<double> pretension;
     std::optional<double> free_length_at_joints;
+    std::optional<Grout<double>> grout;
     static constexpr auto fields() {
         return FieldTable{
             number<&BoltBar::plunge>(Dimension::angle, within(degrees(-90), degrees(90)), "below the section's x axis"),
@@ -309,7 +311,9 @@ struct BoltBar {
             number<&BoltBar::pretension>(Dimension::force, at_least(0), "at the start; absent: 0"),
             number<&BoltBar::free_length_at_joints>(
                 Dimension::length, extent_range(),
-                "over which a grouted bolt stretches at each joint; absent: it stretches over its whole length")};
+                "over which a grouted bolt stretches at each joint; absent: it stretches over its whole length"),
+            section<&BoltBar::grout>(
+                "along the whole bolt, with free_length_at_joints; absent: it has its capacity at each joint")};
     }
 };
 

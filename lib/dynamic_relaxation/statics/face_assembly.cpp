@@ -73,11 +73,15 @@ std::vector<std::size_t> bodies_of_blocks(const BlocksUnderLoad& blocks) {
     std::vector<std::size_t> body(blocks.held.size(), held);
     std::size_t next = 0;
     for (std::size_t block = 0; block < body.size(); ++block) {
-        if (blocks.held[block] == 0) {
+        if (blocks.held[block] == 0 && blocks.removed[block] == 0) {
             body[block] = next++;
         }
     }
     return body;
+}
+
+bool both_there(const BlocksUnderLoad& blocks, std::size_t block, std::size_t other) {
+    return blocks.removed[block] == 0 && blocks.removed[other] == 0;
 }
 
 PlanePoint<> centroid_of(const BlocksUnderLoad& blocks, std::size_t block) {
@@ -165,6 +169,9 @@ FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<Shar
         }
     }
     for (const SharedFace& face : faces) {
+        if (!both_there(blocks, face.block, face.other)) {
+            continue;
+        }
         const FacePosition at = locate(face, blocks.motion[face.block], blocks.motion[face.other]);
         const PlanePoint<> middle = centroid_of(blocks, face.block) + PlanePoint<>(at.arm_x, at.arm_y);
         const PlanePoint<> half = face.length / 2 * PlanePoint<>(at.along_x(), at.along_y());
@@ -202,10 +209,24 @@ void add_tips_on_edges(const BlocksUnderLoad& blocks, const std::vector<SharedFa
     }
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
     for (const auto& [first, second] : touching_blocks(blocks.bodies)) {
-        if (!facing.contains(std::minmax<std::size_t>(first, second))) {
+        if (both_there(blocks, first, second) && !facing.contains(std::minmax<std::size_t>(first, second))) {
             add_tips(blocks, first, second, body, made.assembly);
             add_tips(blocks, second, first, body, made.assembly);
         }
+    }
+}
+
+void add_bolts(const BlocksUnderLoad& blocks, FaceAssembly& made) {
+    const std::vector<std::size_t> body = bodies_of_blocks(blocks);
+    for (const BoltSegment& bolt : blocks.scene.bolt) {
+        if (!both_there(blocks, bolt.block, bolt.other)) {
+            continue;
+        }
+        // A face across the bolt, with the other block ahead of it.
+        const double half = half_of_point(blocks.bodies, bolt.block, bolt.other);
+        const PlanePoint<> along = (bolt.other_at - bolt.at).normalized();
+        add_face(body[bolt.block], body[bolt.other], bolt.at, half * PlanePoint<>(along.y(), -along.x()),
+                 {0, 0, bolt.capacity / (2 * half)}, made.assembly);
     }
 }
 

@@ -17,14 +17,15 @@ namespace delabole {
 struct BlocksUnderLoad {
     const RelaxationScene& scene;
     const Bodies& bodies;
-    const std::vector<char>& held;  // blocks that are fixed at present: the base of the assembly
+    const std::vector<char>& held;     // blocks that are fixed at present: the base of the assembly
+    const std::vector<char>& removed;  // not 0: the block is not there
     const std::vector<Motion>& motion;
     std::span<const BlockForce> load;  // load of each block, including its weight
 };
 
 struct FaceAssembly {
     Assembly assembly;
-    std::vector<std::size_t> block_of;  // of each body: the blocks that are not held, in their order
+    std::vector<std::size_t> block_of;  // of each body: the blocks neither held nor removed, in their order
 };
 
 // The memory of joints and bonds; bonds are in the order of the scene.
@@ -50,5 +51,9 @@ void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list
 // The same for blocks that have not moved and have no contacts yet: corners that lie on an edge of another block,
 // between its ends, where the two share no face.
 void add_tips_on_edges(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces, FaceAssembly& made);
+
+// Adds bolts that bear any tension up to their capacity along their initial axis, wherever it acts on it. The programme
+// lets them bear compression, too: right for an upper bound of what can be carried.
+void add_bolts(const BlocksUnderLoad& blocks, FaceAssembly& made);
 
 }  // namespace delabole

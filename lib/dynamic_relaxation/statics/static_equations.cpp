@@ -1,7 +1,6 @@
 #include "dynamic_relaxation/statics/static_equations.hpp"
 
 #include "dynamic_relaxation/contact/contact_law.hpp"
-#include "dynamic_relaxation/contact/contact_transition.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,95 +12,7 @@ namespace delabole {
 
 namespace {
 
-// Maps displacements of two blocks to the relative displacement of two of their points along a line, and to the
-// relative rotation.
-struct Arms {
-    double radius;
-    double other_radius;
-
-    template <class Position>
-    PairDirection along(double x, double y, const Position& at) const {
-        return {x, y, (at.arm_x * y - at.arm_y * x) / radius,
-                -(at.other_arm_x * y - at.other_arm_y * x) / other_radius};
-    }
-    PairDirection turn() const { return {0, 0, 1 / radius, -1 / other_radius}; }
-};
-
-// The law of contact_law.hpp without velocities. A minutely open contact still counts in the tangent: without it,
-// nothing would support blocks that touch without pressure. Where contacts resist with pseudo-viscosity, open ones
-// resist as well.
-PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at,
-                     const Arms& arms, ContactMemory& memory, double hair, bool resists) {
-    const double overlap = -at.gap;
-    const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
-    const double weight = contact_weight(law, contact, at, memory.insists);
-    memory.shear += at.slide - memory.place;
-    memory.place = at.slide;
-    memory.insists = memory.insists && (weight > 0 || !memory.touching);
-    const bool idle = !memory.touching && (memory.beneath || memory.yields);
-    const bool apart = overlap <= 0;
-    const unsigned over = over_edge({.touching = memory.touching,
-                                     .beneath = memory.beneath,
-                                     .yields = memory.yields,
-                                     .apart = apart,
-                                     .handed_over = 0,
-                                     .taken_over = 0});
-    // A contact of zero weight stays in touch; it carries no force.
-    memory.touching = holds_of_one(bearing_of(over, apart, bonded, 0));
-    memory.sliding = false;
-    const bool open = overlap < -hair && !bonded;
-    PairResponse response;
-    if (idle || open) {
-        memory.shear = 0;
-        if (idle || !resists) {
-            return response;
-        }
-    }
-    response.normal = arms.along(at.normal_x, at.normal_y, at);
-    response.along = arms.along(at.along_x(), at.along_y(), at);
-    if (resists) {
-        response.normal_damping = weight * law.normal_stiffness;
-        response.shear_damping = weight * law.shear_stiffness;
-        if (open) {
-            return response;
-        }
-    }
-    const double pressing = law.normal_stiffness * std::max(overlap, 0.0);
-    const double strength = shear_strength(law, pressing, memory.broken);
-    response.normal_stiffness = weight * law.normal_stiffness;
-    const double trial = -law.shear_stiffness * memory.shear;
-    const double shear = std::clamp(trial, -strength, strength);
-    memory.sliding = slips(trial, strength);
-    memory.slip += (shear - trial) / law.shear_stiffness;
-    memory.shear = -shear / law.shear_stiffness;
-    if (memory.sliding) {
-        const double friction = memory.broken ? law.residual_friction : law.friction;
-        response.coupling = weight * law.normal_stiffness * std::copysign(friction, trial);
-    } else {
-        response.shear_stiffness = weight * law.shear_stiffness;
-    }
-    response.normal_force = weight * (bonded ? law.normal_stiffness * overlap : pressing);
-    response.shear_force = weight * shear;
-    return response;
-}
-
-// The response of a bond to displacements, and its response to a rotation.
-std::array<PairResponse, 2> respond(const Bond& bond, const FacePosition& at, const Arms& arms) {
-    PairResponse moved;
-    moved.normal = arms.along(at.normal_x, at.normal_y, at);
-    moved.along = arms.along(at.along_x(), at.along_y(), at);
-    moved.normal_force = -bond.normal_stiffness * at.opening;
-    moved.shear_force = -bond.shear_stiffness * at.slide;
-    moved.normal_stiffness = moved.normal_damping = bond.normal_stiffness;
-    moved.shear_stiffness = moved.shear_damping = bond.shear_stiffness;
-    PairResponse turned;
-    turned.normal = arms.turn();
-    turned.normal_force = -bond.bending_stiffness * at.turn;
-    turned.normal_stiffness = turned.normal_damping = bond.bending_stiffness;
-    return {moved, turned};
-}
-
-double stiffest_spring(const ContactList& list, const Bonds& bonds) {
+double stiffest_spring(const ContactList& list, const Bonds& bonds, std::span<const HeldByBolt> bolts) {
     double stiffest = 0;
     for (const JointLaw& law : list.joint) {
         stiffest = std::max(stiffest, law.normal_stiffness);
@@ -109,58 +20,25 @@ double stiffest_spring(const ContactList& list, const Bonds& bonds) {
     for (const Bond& bond : bonds.list()) {
         stiffest = std::max(stiffest, bond.normal_stiffness);
     }
+    for (const HeldByBolt& bolt : bolts) {
+        stiffest = std::max(stiffest, bolt.segment.stiffness);
+    }
     return stiffest;
-}
-
-// Six rows of six columns: changes of the forces with the displacements of both blocks of a pair, including
-// pseudo-viscosity.
-std::array<double, 36> tangent_of(std::span<const PairResponse> responses, double resisting) {
-    std::array<double, 36> tangent{};
-    for (const PairResponse& response : responses) {
-        const std::array<double, 6> normal = response.normal.of_both();
-        const std::array<double, 6> along = response.along.of_both();
-        const double normal_stiffness = response.normal_stiffness + resisting * response.normal_damping;
-        const double shear_stiffness = response.shear_stiffness + resisting * response.shear_damping;
-        for (std::size_t column = 0; column < 6; ++column) {
-            const double pressed = normal_stiffness * normal[column];
-            const double sheared = response.coupling * normal[column] + shear_stiffness * along[column];
-            for (std::size_t row = 0; row < 6; ++row) {
-                tangent[6 * column + row] += pressed * normal[row] + sheared * along[row];
-            }
-        }
-    }
-    return tangent;
-}
-
-// Resisting forces of a unit pseudo-viscosity for displacements of both blocks.
-std::array<double, 6> damping_against(const std::array<double, 6>& moved, std::span<const PairResponse> responses) {
-    std::array<double, 6> force{};
-    for (const PairResponse& response : responses) {
-        const auto resist = [&](const PairDirection& direction, double damping) {
-            const double by = damping * (direction.x * (moved[0] - moved[3]) + direction.y * (moved[1] - moved[4]) +
-                                         direction.lever * moved[2] + direction.other_lever * moved[5]);
-            const std::array<double, 6> along = direction.of_both();
-            for (std::size_t row = 0; row < 6; ++row) {
-                force[row] += by * along[row];
-            }
-        };
-        resist(response.normal, response.normal_damping);
-        resist(response.along, response.shear_damping);
-    }
-    return force;
 }
 
 }  // namespace
 
 StaticEquations::StaticEquations(const Bodies& bodies, const std::vector<char>& held,
                                  const std::vector<Eigen::Vector3d>& loads, const Bonds& bonds,
-                                 const std::vector<BondMemory>& bond_memory, const ContactList& list)
+                                 const std::vector<BondMemory>& bond_memory, std::span<const HeldByBolt> bolts,
+                                 const ContactList& list)
     : bodies_(bodies),
       loads_(loads),
       bonds_(bonds),
       bond_memory_(bond_memory),
+      bolts_(bolts),
       unknown_(bodies.size(), none),
-      stiffest_(stiffest_spring(list, bonds)) {
+      stiffest_(stiffest_spring(list, bonds, bolts)) {
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         if (held[block] == 0) {
             unknown_[block] = 3 * static_cast<int>(free_blocks_.size());
@@ -187,6 +65,9 @@ StaticEquations::StaticEquations(const Bodies& bodies, const std::vector<char>& 
     for (const Bond& bond : bonds.list()) {
         add(bond.face.block, bond.face.other, 2);
     }
+    for (const HeldByBolt& bolt : bolts) {
+        add(bolt.segment.block, bolt.segment.other, 1);
+    }
     response_.resize(pairs_.empty() ? 0 : pairs_.back().end);
     for (int column = 0; column < pattern.size(); ++column) {
         const auto begin = pattern.row.begin() + pattern.column_begin[static_cast<std::size_t>(column)];
@@ -198,6 +79,7 @@ StaticEquations::StaticEquations(const Bodies& bodies, const std::vector<char>& 
 
 void StaticEquations::list_what_acts(const ContactList& list) {
     contacts_of_.resize(free_blocks_.size());
+    bolts_of_.resize(free_blocks_.size());
     neighbours_.resize(free_blocks_.size());
     const auto join = [&](std::size_t block, std::size_t other) {
         if (unknown_[block] != none && unknown_[other] != none) {
@@ -205,17 +87,24 @@ void StaticEquations::list_what_acts(const ContactList& list) {
             neighbours_[static_cast<std::size_t>(unknown_[other] / 3)].push_back(unknown_[block] / 3);
         }
     };
-    for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const ContactBlocks& contact = list.contact.blocks()[index];
-        join(contact.block, contact.other);
-        for (const std::size_t block : {contact.block, contact.other}) {
-            if (unknown_[block] != none) {
-                contacts_of_[static_cast<std::size_t>(unknown_[block] / 3)].push_back(index);
+    const auto note = [&](std::vector<std::vector<std::size_t>>& of_block, std::size_t block, std::size_t other,
+                          std::size_t index) {
+        join(block, other);
+        for (const std::size_t one : {block, other}) {
+            if (unknown_[one] != none) {
+                of_block[static_cast<std::size_t>(unknown_[one] / 3)].push_back(index);
             }
         }
+    };
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const ContactBlocks& contact = list.contact.blocks()[index];
+        note(contacts_of_, contact.block, contact.other, index);
     }
     for (const Bond& bond : bonds_.list()) {
         join(bond.face.block, bond.face.other);
+    }
+    for (std::size_t index = 0; index < bolts_.size(); ++index) {
+        note(bolts_of_, bolts_[index].segment.block, bolts_[index].segment.other, index);
     }
     for (std::vector<int>& neighbours : neighbours_) {
         std::ranges::sort(neighbours);
@@ -276,6 +165,17 @@ void StaticEquations::evaluate(const std::vector<Motion>& motion, const MemoryAr
             }
         }
     }
+    for (std::size_t index = 0; index < bolts_.size(); ++index) {
+        const BoltSegment& segment = bolts_[index].segment;
+        take_up(segment.block, segment.other, response_of_bolt(bolts_[index], motion),
+                list.contact.size() + 2 * bonds_.list().size() + index);
+    }
+}
+
+PairResponse StaticEquations::response_of_bolt(const HeldByBolt& bolt, const std::vector<Motion>& motion) const {
+    const BoltSegment& segment = bolt.segment;
+    return respond(bolt, locate(segment, bodies_, motion),
+                   {bodies_.radius[segment.block], bodies_.radius[segment.other]});
 }
 
 PairResponse StaticEquations::response_of_contact(std::size_t index, const std::vector<Motion>& motion,
@@ -335,6 +235,9 @@ StaticEquations::BlockBalance StaticEquations::balance_of(std::size_t index, con
         add(blocks.block, blocks.other, response_of_contact(contact, motion, before, list));
     }
     contacts_evaluated_ += contacts_of_[index].size();
+    for (const std::size_t bolt : bolts_of_[index]) {
+        add(bolts_[bolt].segment.block, bolts_[bolt].segment.other, response_of_bolt(bolts_[bolt], motion));
+    }
     return balance;
 }
 

@@ -2,8 +2,7 @@
 // solve that each of its rounds repeats.
 #pragma once
 
-#include "dynamic_relaxation/contact/bonds.hpp"
-#include "dynamic_relaxation/contact/contacts.hpp"
+#include "dynamic_relaxation/statics/pair_response.hpp"
 #include "numerics/sparse_system.hpp"
 
 #include <Eigen/Core>
@@ -22,32 +21,6 @@ struct PseudoViscosity {
     double of_contacts;  // between two blocks, of the springs that their contacts have or would have if they closed
 };
 
-// Relative displacement along a line of a point of one block and a point of another: the product of (x, y, lever) with
-// the first block's displacements and rotation times radius, plus that of (-x, -y, other_lever) with the second's.
-struct PairDirection {
-    double x = 0;
-    double y = 0;
-    double lever = 0;
-    double other_lever = 0;
-
-    Eigen::Vector3d of_first() const { return {x, y, lever}; }
-    std::array<double, 6> of_both() const { return {x, y, lever, -x, -y, other_lever}; }
-    PairDirection of_other_first() const { return {-x, -y, other_lever, lever}; }
-};
-
-// The force of a contact or a bond in a given state, N/m, and how it changes with the motion of its two blocks, N/m2.
-struct PairResponse {
-    PairDirection normal = {};
-    PairDirection along = {};
-    double normal_force = 0;
-    double shear_force = 0;
-    double normal_stiffness = 0;
-    double shear_stiffness = 0;  // where the contact sticks
-    double coupling = 0;         // of the shear force with the displacement along the normal, where it slides
-    double normal_damping = 0;   // for a unit pseudo-viscosity of contacts
-    double shear_damping = 0;    // for a unit pseudo-viscosity of contacts
-};
-
 // Rotations and moments are referred to the block's radius, so that all unknowns are lengths and scenes of every size
 // lead to the same equations. Loads: x force, y force and moment of each block.
 //
@@ -56,7 +29,8 @@ struct PairResponse {
 class StaticEquations {
   public:
     StaticEquations(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-                    const Bonds& bonds, const std::vector<BondMemory>& bond_memory, const ContactList& list);
+                    const Bonds& bonds, const std::vector<BondMemory>& bond_memory, std::span<const HeldByBolt> bolts,
+                    const ContactList& list);
 
     const std::vector<std::size_t>& free_blocks() const { return free_blocks_; }
 
@@ -132,6 +106,7 @@ class StaticEquations {
     void list_what_acts(const ContactList& list);
     PairResponse response_of_contact(std::size_t index, const std::vector<Motion>& motion, const MemoryArray& before,
                                      ContactList& list);
+    PairResponse response_of_bolt(const HeldByBolt& bolt, const std::vector<Motion>& motion) const;
     // Adds the forces between two blocks, and stores the response.
     void take_up(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index);
 
@@ -139,11 +114,13 @@ class StaticEquations {
     const std::vector<Eigen::Vector3d>& loads_;
     const Bonds& bonds_;
     const std::vector<BondMemory>& bond_memory_;
+    std::span<const HeldByBolt> bolts_;
     std::vector<std::size_t> free_blocks_ = {};
     std::vector<int> unknown_;  // first of a block's three unknowns; `none` where the block is held
     std::vector<Pair> pairs_ = {};
-    std::vector<PairResponse> response_ = {};                 // of the contacts, then two of each bond
+    std::vector<PairResponse> response_ = {};                 // of the contacts, two of each bond, of the bolts
     std::vector<std::vector<std::size_t>> contacts_of_ = {};  // of each free block
+    std::vector<std::vector<std::size_t>> bolts_of_ = {};     // likewise
     std::vector<std::vector<int>> neighbours_ = {};
     std::vector<int> diagonal_ = {};           // positions of the diagonal entries among the values, for each unknown
     std::optional<SparseSystem> system_ = {};  // empty if no block is free

@@ -455,9 +455,9 @@ class StaticSolver {
 StaticSolution solve_statically(const Bodies& bodies, const std::vector<char>& held,
                                 const std::vector<Eigen::Vector3d>& loads, const StaticSolveSettings& settings,
                                 const StaticSolution* creeping, const Bonds& bonds,
-                                const std::vector<BondMemory>& bond_memory, std::vector<Motion>& motion,
-                                ContactList& list) {
-    StaticEquations equations(bodies, held, loads, bonds, bond_memory, list);
+                                const std::vector<BondMemory>& bond_memory, std::span<const HeldByBolt> bolts,
+                                std::vector<Motion>& motion, ContactList& list) {
+    StaticEquations equations(bodies, held, loads, bonds, bond_memory, bolts, list);
     return StaticSolver(bodies, settings, creeping, bonds, equations).solve(motion, list);
 }
 

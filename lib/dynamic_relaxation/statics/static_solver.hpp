@@ -4,10 +4,12 @@
 
 #include "dynamic_relaxation/contact/bonds.hpp"
 #include "dynamic_relaxation/contact/contacts.hpp"
+#include "dynamic_relaxation/statics/static_equations.hpp"
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace delabole {
@@ -58,7 +60,7 @@ struct StaticSolution {
 StaticSolution solve_statically(const Bodies& bodies, const std::vector<char>& held,
                                 const std::vector<Eigen::Vector3d>& loads, const StaticSolveSettings& settings,
                                 const StaticSolution* creeping, const Bonds& bonds,
-                                const std::vector<BondMemory>& bond_memory, std::vector<Motion>& motion,
-                                ContactList& list);
+                                const std::vector<BondMemory>& bond_memory, std::span<const HeldByBolt> bolts,
+                                std::vector<Motion>& motion, ContactList& list);
 
 }  // namespace delabole

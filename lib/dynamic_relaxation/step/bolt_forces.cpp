@@ -6,46 +6,9 @@
 
 namespace delabole {
 
-namespace {
-
-struct Stretched {
-    double extension;      // m, since the initial geometry
-    PlanePoint<> towards;  // unit vector from the block to the other
-    PlanePoint<> arm;      // about the block's centroid, in its present rotation
-    PlanePoint<> other_arm;
-};
-
-Stretched stretched(const BoltSegment& segment, const Bodies& bodies, const std::vector<Motion>& motion) {
-    const Motion& one = motion[segment.block];
-    const Motion& two = motion[segment.other];
-    const PlanePoint<> arm = segment.at - bodies.centroid[segment.block];
-    const PlanePoint<> other_arm = segment.other_at - bodies.centroid[segment.other];
-    const PlanePoint<> drawn = segment.other_at - segment.at;
-    // Computed from the displacement, because the difference of two lengths would lose the small extensions of a stiff
-    // bolt.
-    const PlanePoint<> moved =
-        PlanePoint<>(two.x - one.x, two.y - one.y) + two.turned_by(other_arm) - one.turned_by(arm);
-    const PlanePoint<> now = drawn + moved;
-    const double length = now.norm();
-    return {(2 * drawn + moved).dot(moved) / (length + drawn.norm()),
-            length > 0 ? PlanePoint<>(now / length) : PlanePoint<>(0, 0), one.turned(arm), two.turned(other_arm)};
-}
-
-double force_of(const BoltSegment& segment, const BoltMemory& memory, double extension) {
-    const double elastic =
-        segment.pretension + segment.stiffness * (extension - memory.extension_at_start - memory.yielded);
-    return std::clamp(elastic, 0.0, segment.capacity);
-}
-
-bool holds(const BoltSegment& segment, const std::vector<char>& removed) {
-    return removed[segment.block] == 0 && removed[segment.other] == 0;
-}
-
-}  // namespace
-
 void put_in_bolts(const RelaxationScene& scene, const Bodies& bodies, RelaxationState& state) {
     for (std::size_t index = 0; index < scene.bolt.size(); ++index) {
-        state.bolt[index] = {stretched(scene.bolt[index], bodies, state.motion).extension, 0};
+        state.bolt[index] = {locate(scene.bolt[index], bodies, state.motion).extension, 0};
     }
 }
 
@@ -59,14 +22,14 @@ void add_bolt_forces(const RelaxationScene& scene, const Bodies& bodies, Relaxat
         if (!holds(segment, state.removed)) {
             continue;
         }
-        const Stretched now = stretched(segment, bodies, state.motion);
+        const BoltPosition now = locate(segment, bodies, state.motion);
         BoltMemory& memory = state.bolt[index];
         // m, extension beyond the pretension at which it yields.
         const double elastic = (segment.capacity - segment.pretension) / segment.stiffness;
         memory.yielded = std::max(memory.yielded, now.extension - memory.extension_at_start - elastic);
         const PlanePoint<> force = force_of(segment, memory, now.extension) * now.towards;
-        add(segment.block, now.arm, force);
-        add(segment.other, now.other_arm, -force);
+        add(segment.block, now.arm(), force);
+        add(segment.other, now.other_arm(), -force);
     }
 }
 
@@ -96,9 +59,9 @@ std::vector<BoltPull> bolt_pulls(const RelaxationScene& scene, const Bodies& bod
         const BoltSegment& segment = scene.bolt[index];
         BoltPull& pull = pulls.emplace_back();
         if (holds(segment, state.removed)) {
-            const Stretched now = stretched(segment, bodies, state.motion);
+            const BoltPosition now = locate(segment, bodies, state.motion);
             const BoltMemory& memory = state.bolt[index];
-            pull = {place(segment.block, now.arm), place(segment.other, now.other_arm),
+            pull = {place(segment.block, now.arm()), place(segment.other, now.other_arm()),
                     force_of(segment, memory, now.extension), memory.yielded, true};
         }
     }

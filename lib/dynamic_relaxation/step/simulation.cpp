@@ -139,11 +139,9 @@ void Simulation::prepare() {
 
 void Simulation::begin(JointsAtStart joints) {
     if (is_preloaded(settings_.start)) {
-        start_in_equilibrium(joints);
+        start_in_equilibrium_with_bolts(joints);
     } else {
         state_.origin = state_.motion;
-    }
-    if (joints == JointsAtStart::whole) {
         put_in_bolts(scene_, bodies_, state_);
     }
     if (last_scheduled_time(scene_, settings_) > 0) {

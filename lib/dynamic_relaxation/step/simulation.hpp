@@ -19,9 +19,11 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
 
 namespace delabole {
 
+struct HeldByBolt;
 struct StaticSolveSettings;
 
 class Simulation {
@@ -55,6 +57,8 @@ class Simulation {
   private:
     // Whether joints that are closed in the initial geometry have their peak strengths, or what another run left them.
     enum class JointsAtStart { whole, as_left };
+    // Whether bolts pull with their pretension in a static solve, or stretch.
+    enum class BoltsAtStart { pulling, stretching };
 
     // A block that nothing has moved for some checks is at rest until the unbalanced force on it exceeds this share of
     // its weight, far below the ratio that counts as equilibrium: it is not moved, and costs almost no time.
@@ -74,8 +78,10 @@ class Simulation {
     void follow_schedules();
     void break_bonds();
     StaticSolveSettings static_solve_settings() const;
-    void start_in_equilibrium(JointsAtStart joints);
-    bool solve_under(double load_share, bool first, const StaticSolveSettings& limits);
+    void start_in_equilibrium_with_bolts(JointsAtStart joints);
+    bool start_in_equilibrium(JointsAtStart joints, BoltsAtStart bolts);
+    bool solve_under(double load_share, bool first, std::span<const HeldByBolt> bolts,
+                     const StaticSolveSettings& limits);
     void account_for_springs_of_removed(std::size_t block);
     // `why`: taken_away or has_left.
     void take_away(std::size_t block, char why);

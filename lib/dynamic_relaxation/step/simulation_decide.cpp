@@ -151,11 +151,8 @@ bool Simulation::held_by_faces() {
     std::vector<SharedFace> faces;
     if (state_.onset_time < 0) {
         faces = find_shared_faces(bodies_);
-        std::erase_if(faces, [&](const SharedFace& face) {
-            return state_.removed[face.block] != 0 || state_.removed[face.other] != 0;
-        });
     }
-    const BlocksUnderLoad blocks{scene_, bodies_, held_, state_.motion, load_};
+    const BlocksUnderLoad blocks{scene_, bodies_, held_, state_.removed, state_.motion, load_};
     const JointHistory history{state_.bond, state_.contacts};
     FaceAssembly made = face_assembly(blocks, faces, &history);
     add_corners_on_edges(blocks, state_.contacts, made);

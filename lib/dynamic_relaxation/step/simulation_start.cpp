@@ -1,5 +1,6 @@
 // The static start of a run, runs that begin from a state at rest, and blocks that are absent at the start.
 #include "dynamic_relaxation/statics/static_solver.hpp"
+#include "dynamic_relaxation/step/bolt_forces.hpp"
 #include "dynamic_relaxation/step/loads.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 
@@ -24,6 +25,12 @@ BondMemory with_no_energy_yet(BondMemory memory) {
     memory.damping = 0;
     memory.normal_drag = memory.shear_drag = memory.bending_drag = 0;
     return memory;
+}
+
+bool is_near_initial_geometry(const Bodies& bodies, RelaxationState state, const RelaxationSettings& settings) {
+    state.origin.assign(bodies.size(), {});
+    const MotionExtremes moved = farthest_motion(bodies, state);
+    return moved.rotation < settings.onset_rotation && moved.displacement < settings.onset_slide;
 }
 
 }  // namespace
@@ -95,11 +102,44 @@ StaticSolveSettings Simulation::static_solve_settings() const {
     return limits;
 }
 
-void Simulation::start_in_equilibrium(JointsAtStart joints) {
+// Bolts are put in where blocks have come to rest under their pretension alone, so that settlement does not stretch
+// them; in the initial geometry where blocks do not come to rest without them, or only far from there.
+void Simulation::start_in_equilibrium_with_bolts(JointsAtStart joints) {
+    if (joints == JointsAtStart::as_left) {
+        start_in_equilibrium(joints, BoltsAtStart::stretching);
+        return;
+    }
+    const bool may_pull_more = std::ranges::any_of(
+        scene_.bolt, [](const BoltSegment& segment) { return segment.pretension < segment.capacity; });
+    std::optional<RelaxationState> before = may_pull_more ? std::optional(state_) : std::nullopt;
+    const bool balanced = start_in_equilibrium(joints, BoltsAtStart::pulling);
+    if (!before || (balanced && is_near_initial_geometry(bodies_, state_, settings_))) {
+        put_in_bolts(scene_, bodies_, state_);
+        return;
+    }
+    before->contacts_evaluated = state_.contacts_evaluated;
+    state_ = std::move(*before);
+    bonds_.resume(state_.bond);
+    just_broken_.clear();
+    start_in_equilibrium(joints, BoltsAtStart::stretching);
+}
+
+// Returns whether a balance was found.
+bool Simulation::start_in_equilibrium(JointsAtStart joints, BoltsAtStart bolts) {
     const StaticSolveSettings limits = static_solve_settings();
-    apply_loads();
+    std::vector<HeldByBolt> stretching;
+    if (bolts == BoltsAtStart::pulling) {
+        apply_loads();
+    } else {
+        sum_loads(scene_, settings_, bodies_, state_.time, held_, state_.motion, load_);
+        for (std::size_t index = 0; index < scene_.bolt.size(); ++index) {
+            if (holds(scene_.bolt[index], state_.removed)) {
+                stretching.push_back({scene_.bolt[index], state_.bolt[index]});
+            }
+        }
+    }
     bool first = joints == JointsAtStart::whole;
-    if (settings_.start == RelaxationStart::stepped) {
+    if (settings_.start == RelaxationStart::stepped && bolts == BoltsAtStart::pulling) {
         constexpr int steps = 10;
         StaticSolveSettings on_the_way = limits;
         on_the_way.creep_rotation = 0;
@@ -107,15 +147,16 @@ void Simulation::start_in_equilibrium(JointsAtStart joints) {
         // What is not balanced under a part of the loads is left to the step with all of them.
         bool balanced = true;
         for (int step = 1; step < steps && balanced; ++step, first = false) {
-            balanced = solve_under(static_cast<double>(step) / steps, first, on_the_way);
+            balanced = solve_under(static_cast<double>(step) / steps, first, stretching, on_the_way);
         }
     }
-    solve_under(1, first, limits);
+    return solve_under(1, first, stretching, limits);
 }
 
 // Bonds that cannot bear the loads break one after the other, the most overloaded first, while the rest finds its
 // balance; without a balance the run continues from that state. Returns whether a balance was found.
-bool Simulation::solve_under(double load_share, bool first, const StaticSolveSettings& limits) {
+bool Simulation::solve_under(double load_share, bool first, std::span<const HeldByBolt> bolts,
+                             const StaticSolveSettings& limits) {
     std::vector<Eigen::Vector3d> loads;
     for (const BlockForce& load : load_) {
         loads.emplace_back(load_share * load.x, load_share * load.y, load_share * load.moment);
@@ -126,7 +167,7 @@ bool Simulation::solve_under(double load_share, bool first, const StaticSolveSet
     for (int continued = 0;; first = false) {
         find_contacts_within(2 * limits.farthest, first);
         StaticSolution found = solve_statically(bodies_, held_, loads, limits, creeping ? &*creeping : nullptr, bonds_,
-                                                state_.bond, state_.motion, state_.contacts);
+                                                state_.bond, bolts, state_.motion, state_.contacts);
         state_.origin = found.most_balanced;
         state_.start_balance = StartBalance{found.ratio, found.cut_short};
         state_.contacts_evaluated += found.contacts_evaluated;

@@ -4,6 +4,7 @@
 #include "dynamic_relaxation/blocks/block_sweep.hpp"
 #include "dynamic_relaxation/blocks/bodies.hpp"
 #include "dynamic_relaxation/blocks/overlap.hpp"
+#include "dynamic_relaxation/contact/bolt_springs.hpp"
 #include "dynamic_relaxation/contact/bonds.hpp"
 #include "dynamic_relaxation/contact/contact_watch.hpp"
 #include "dynamic_relaxation/contact/contacts.hpp"
@@ -74,12 +75,6 @@ struct StartBalance {
 struct SlipOverFace {
     double upward = 0;  // cosine of the angle between the face's outward normal and up; 0: no face
     double slip = 0;    // m, negative towards -x
-};
-
-// Extension of a segment of a bolt at its installation, and its yield since.
-struct BoltMemory {
-    double extension_at_start = 0;  // m
-    double yielded = 0;             // m
 };
 
 // Reason for the removal of a block.

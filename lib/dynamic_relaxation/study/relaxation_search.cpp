@@ -1,6 +1,6 @@
 // Searches for a critical value: the scene at each value, and the loading path to it.
 #include "dynamic_relaxation/step/scene_check.hpp"
-#include "dynamic_relaxation/study/strength_bound.hpp"
+#include "dynamic_relaxation/study/failed_at_rest.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"
 
@@ -215,20 +215,11 @@ class PathSearch {
             result.start_balance && result.start_balance->unbalanced_ratio <= settings_.equilibrium_ratio;
         const RelaxationState* begun_at =
             begin == Begin::from_consolidated && progress_.consolidated ? &*progress_.consolidated : nullptr;
-        const bool moved =
-            (begun_at != nullptr || is_drawn_in_contact(study_)) && rests_beyond_onset(simulation, begun_at);
-        const bool has_failed = moved || cannot_stand(simulation);
-        const RelaxationOutcome outcome = has_failed ? RelaxationOutcome::onset : simulation.outcome();
+        std::optional<RelaxationState> failed = failed_at_rest(simulation, initial_contact(study_), begun_at);
+        const RelaxationOutcome outcome = failed ? RelaxationOutcome::onset : simulation.outcome();
         progress_.probe.push_back({outcome, cost.steps, cost.contacts_evaluated, !balanced});
         if (shows_failure(outcome)) {
-            progress_.failed = has_failed ? since_initial_geometry(simulation.state()) : simulation.state();
-            if (has_failed) {
-                if (moved && begun_at != nullptr) {
-                    progress_.failed->origin = begun_at->motion;
-                }
-                // Onset, so that blocks count as moving that have moved a tenth as far as the farthest.
-                progress_.failed->onset_time = progress_.failed->time;
-            }
+            progress_.failed = failed ? std::move(failed) : simulation.state();
         } else if (outcome == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
                    begin == Begin::at_start) {
             progress_.consolidated = simulation.state();
@@ -292,64 +283,6 @@ class PathSearch {
 };
 
 }  // namespace
-
-bool is_drawn_in_contact(const RelaxationStudy& study) {
-    return !std::holds_alternative<RelaxationPolygons>(study.model.scene);
-}
-
-bool rests_beyond_onset(const Simulation& simulation, const RelaxationState* begun_at) {
-    const RelaxationScene& scene = simulation.scene();
-    if (simulation.outcome() != RelaxationOutcome::equilibrium || scene.belt || !scene.motion.empty()) {
-        return false;
-    }
-    RelaxationSettings settings = simulation.settings();
-    const Bodies& bodies = simulation.bodies();
-    const std::vector<Motion> start = begun_at != nullptr ? begun_at->motion : std::vector<Motion>(bodies.size());
-    // Whether a block has moved beyond the thresholds and its settlement. Some lean beyond the threshold before they
-    // jam; their centroids move with it, by as much in radii.
-    const auto any_is_beyond = [&](const std::vector<Motion>& settled) {
-        constexpr double most_settlement = 0.1;  // radii or rad: more is motion that no strength prevents
-        for (std::size_t block = 0; block < bodies.size(); ++block) {
-            const auto moved_to = [&](const Motion& now) {
-                const double displacement = std::hypot(now.x - start[block].x, now.y - start[block].y);
-                return MotionExtremes{std::abs(now.angle - start[block].angle), displacement / bodies.radius[block]};
-            };
-            const MotionExtremes moved = moved_to(simulation.state().motion[block]);
-            const MotionExtremes allowed = moved_to(settled[block]);
-            if (bodies.fixed[block] == 0 && simulation.state().removed[block] == 0 &&
-                (moved.rotation >
-                     far_beyond_onset * settings.onset_rotation + std::min(allowed.rotation, most_settlement) ||
-                 moved.displacement >
-                     settings.onset_slide + moved.rotation + std::min(allowed.displacement, most_settlement))) {
-                return true;
-            }
-        }
-        return false;
-    };
-    if (!any_is_beyond(start)) {
-        return false;
-    }
-    // Blocks on soft joints settle by as much, however strong these are.
-    settings.creep = false;
-    settings.start = RelaxationStart::preloaded;
-    const RelaxationScene strong = with_greatest_strength(scene);
-    const Simulation settled =
-        begun_at != nullptr ? Simulation(strong, settings, ConsolidatedState{*begun_at}) : Simulation(strong, settings);
-    const std::optional<StartBalance>& balance = settled.state().start_balance;
-    return !balance || balance->unbalanced_ratio > settings.equilibrium_ratio || any_is_beyond(settled.state().motion);
-}
-
-bool cannot_stand(const Simulation& simulation) {
-    const RelaxationOutcome outcome = simulation.outcome();
-    bool open = outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
-                outcome == RelaxationOutcome::energy_not_balanced;
-    if (outcome == RelaxationOutcome::equilibrium) {
-        const MotionExtremes moved = farthest_motion(simulation.bodies(), since_initial_geometry(simulation.state()));
-        constexpr double beyond_settlement = 0.002;  // rad, or of a radius: blocks as stiff as usual settle by a third
-        open = std::max(moved.rotation, moved.displacement) > beyond_settlement;
-    }
-    return open && !simulation.settings().corners_bear && lacks_forces(simulation.scene());
-}
 
 CriticalParameter parameter_of(const CriticalRequest& request) {
     return static_cast<CriticalParameter>(request.index());

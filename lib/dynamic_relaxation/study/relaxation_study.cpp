@@ -186,6 +186,11 @@ void find_early_failure(const RelaxationStudy& study, const std::vector<MotionFr
 
 }  // namespace
 
+InitialContact initial_contact(const RelaxationStudy& study) {
+    return std::holds_alternative<RelaxationPolygons>(study.model.scene) ? InitialContact::perhaps_none
+                                                                         : InitialContact::drawn;
+}
+
 SceneFault check(const RelaxationStudy& study) {
     const RelaxationScene scene = relaxation_scene(study);
     return check(scene, relaxation_settings(study, scene));
@@ -224,12 +229,10 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
         });
     progress.state = simulation.state();
     made = ended_at(study, simulation);
-    const bool rests = made.result.outcome == RelaxationOutcome::equilibrium && !made.result.onset_time;
-    if (rests && is_drawn_in_contact(study) && (rests_beyond_onset(simulation) || cannot_stand(simulation))) {
-        // They have moved before the first step, in the static solve, until they leaned on others or jammed.
-        RelaxationState state = since_initial_geometry(simulation.state());
-        state.onset_time = 0;
-        made = ended_at(study, Simulation(made.scene, made.settings, std::move(state)));
+    const bool rests = made.result.outcome == RelaxationOutcome::equilibrium && !made.result.onset_time &&
+                       initial_contact(study) == InitialContact::drawn;
+    if (auto failed = rests ? failed_at_rest(simulation, InitialContact::drawn) : std::nullopt) {
+        made = ended_at(study, Simulation(made.scene, made.settings, std::move(*failed)));
         made.result.outcome = made.settings.stop_at_onset ? RelaxationOutcome::onset : made.result.outcome;
     }
     if (study.history) {

@@ -193,9 +193,8 @@ class Retrogression {
             [] {});
         made.end = simulation.state();
         made.result = simulation.result();
-        if (rests_beyond_onset(simulation)) {
-            made.end = since_initial_geometry(simulation.state());
-            made.end->onset_time = made.end->time;
+        if (auto failed = ended ? failed_at_rest(simulation, initial_contact(study_)) : std::nullopt) {
+            made.end = std::move(failed);
             made.result = Simulation(made.scene, settings_, *made.end).result();
             made.result.outcome = RelaxationOutcome::onset;
         }
@@ -217,6 +216,10 @@ class Retrogression {
             if (has_failed(made.result.block[block].movement)) {
                 stage.block.push_back(block);
             }
+        }
+        if (stage.block.empty()) {
+            made.result.outcome = RelaxationOutcome::undecided;
+            return false;
         }
         stage.moved = stage.block.size();
         take_away(stage);

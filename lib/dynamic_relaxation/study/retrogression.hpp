@@ -5,9 +5,10 @@
 // Each stage is a run of its own from the initial geometry, without the blocks that failed in earlier stages, to
 // equilibrium or to the onset of failure. At onset the blocks that have moved by more than a tenth of the farthest
 // motion are the failing mass (BlockOutcome::movement), together with blocks that have lost all support
-// (blocks_without_hold). They are removed; the others keep neither their small displacements nor their stresses. So the
-// ground left standing follows from equilibrium alone, without time, fall or debris, and the same slope gives the same
-// answer.
+// (blocks_without_hold). The same holds for blocks that come to rest although statics, or how far they have moved,
+// shows that they have failed (failed_at_rest.hpp). They are removed; the others keep neither their small displacements
+// nor their stresses. So the ground left standing follows from equilibrium alone, without time, fall or debris, and the
+// same slope gives the same answer.
 //
 // Limits. Debris gives no support: where it comes to rest against the slope, less fails than is found here. A joint
 // that a failure has opened is drained: its water no longer presses on the face that stays. A pond does not follow the

@@ -8,6 +8,7 @@
 #include "limit_equilibrium/bound/lp_bound.hpp"
 #include "numerics/constants.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -16,25 +17,36 @@ namespace delabole {
 
 namespace {
 
-// Bolts are excluded because their force depends on the motion of the blocks.
+// Whether the loads and the blocks present are those of the initial geometry for good.
 bool is_static(const RelaxationScene& scene) {
-    return scene.bolt.empty() && scene.motion.empty() && scene.removal.empty() && scene.shaking.empty() &&
-           !scene.belt && (scene.gravity.rate == 0 || scene.gravity.final_tilt == scene.gravity.tilt);
+    return scene.motion.empty() && !scene.belt &&
+           std::ranges::all_of(scene.removal, [](const Removal& removal) { return removal.time < 0; }) &&
+           (scene.shaking.empty() || (scene.shaking.size() == 1 && scene.shaking.front().time <= 0)) &&
+           (scene.gravity.rate == 0 || scene.gravity.final_tilt == scene.gravity.tilt);
 }
 
-Assembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
-                     bool tips_bear) {
+std::vector<char> removed_at_first(const RelaxationScene& scene) {
+    std::vector<char> removed(scene.block.size(), 0);
+    for (const Removal& removal : scene.removal) {
+        removed[removal.block] |= removal.time < 0 ? 1 : 0;
+    }
+    return removed;
+}
+
+FaceAssembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
+                         const std::vector<char>& removed, bool tips_bear) {
     RelaxationSettings at_once;
     at_once.start = RelaxationStart::dropped;
     const std::vector<Motion> unmoved(bodies.size());
     std::vector<BlockForce> load(bodies.size());
     sum_loads(scene, at_once, bodies, 0, bodies.fixed, unmoved, load);
-    const BlocksUnderLoad blocks{scene, bodies, bodies.fixed, unmoved, load};
+    const BlocksUnderLoad blocks{scene, bodies, bodies.fixed, removed, unmoved, load};
     FaceAssembly made = face_assembly(blocks, faces);
     if (tips_bear) {
         add_tips_on_edges(blocks, faces, made);
+        add_bolts(blocks, made);
     }
-    return made.assembly;
+    return made;
 }
 
 // Whether the assembly stands with its strength divided by `reduction`. Returns nothing if the linear programme has no
@@ -44,14 +56,14 @@ std::optional<bool> stands(const Assembly& assembly, double reduction = 1) {
     return found.status == LpStatus::optimal ? std::optional(found.stands()) : std::nullopt;
 }
 
-// One body of the assembly among the remaining ones, as if these were fixed.
-Assembly alone(const Assembly& assembly, std::size_t body, const std::vector<char>& gone) {
+// One body of the assembly among the others, as if these were fixed.
+Assembly alone(const Assembly& assembly, std::size_t body) {
     Assembly made{AssemblyCheck::valid, {assembly.bodies[body]}, {}};
     for (const Contact& contact : assembly.contacts) {
         Contact own = contact;
-        if (contact.other == body && gone[contact.body] == 0) {
+        if (contact.other == body) {
             std::swap(own.start, own.end);
-        } else if (contact.body != body || (contact.other && gone[*contact.other] != 0)) {
+        } else if (contact.body != body) {
             continue;
         }
         own.body = 0;
@@ -64,11 +76,13 @@ Assembly alone(const Assembly& assembly, std::size_t body, const std::vector<cha
 }  // namespace
 
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, const std::atomic<bool>* stop) {
-    if (!is_static(scene)) {
+    // A reduction of strength would divide the capacity of bolts, too.
+    if (!is_static(scene) || !scene.bolt.empty()) {
         return std::nullopt;
     }
     const Bodies bodies = make_bodies(scene);
-    const Assembly assembly = assembly_of(scene, bodies, find_shared_faces(bodies), true);
+    const Assembly assembly =
+        assembly_of(scene, bodies, find_shared_faces(bodies), removed_at_first(scene), true).assembly;
     constexpr double most = 1e6;  // blocks that stand with less strength stand without
     constexpr double accuracy = 1e-6;
     double standing = 0;
@@ -96,31 +110,24 @@ bool lacks_forces(const RelaxationScene& scene) {
     }
     const Bodies bodies = make_bodies(scene);
     const std::vector<SharedFace> faces = find_shared_faces(bodies);
-    return stands(assembly_of(scene, bodies, faces, true)) == false &&
-           stands(assembly_of(with_greatest_strength(scene), bodies, faces, true)) == true;
+    const std::vector<char> removed = removed_at_first(scene);
+    return stands(assembly_of(scene, bodies, faces, removed, true).assembly) == false &&
+           stands(assembly_of(with_greatest_strength(scene), bodies, faces, removed, true).assembly) == true;
 }
 
 std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const Bodies& bodies,
                                              const std::vector<SharedFace>& faces, const std::vector<char>& gone) {
-    std::vector<std::size_t> block_of;
-    std::vector<char> body_gone;
-    for (std::size_t block = 0; block < bodies.size(); ++block) {
-        if (bodies.fixed[block] == 0) {
-            block_of.push_back(block);
-            body_gone.push_back(gone[block]);
-        }
-    }
     std::vector<char> bared(bodies.size(), 0);
     for (const SharedFace& face : faces) {
         bared[face.block] |= gone[face.other];
         bared[face.other] |= gone[face.block];
     }
     // A block that has lost a neighbour does not balance on a tip.
-    const Assembly assembly = assembly_of(scene, bodies, faces, false);
+    const auto [assembly, block_of] = assembly_of(scene, bodies, faces, gone, false);
     std::vector<std::size_t> falling;
     for (std::size_t body = 0; body < block_of.size(); ++body) {
         const std::size_t block = block_of[body];
-        if (bared[block] != 0 && gone[block] == 0 && stands(alone(assembly, body, body_gone)) == false) {
+        if (bared[block] != 0 && stands(alone(assembly, body)) == false) {
             falling.push_back(block);
         }
     }

@@ -23,14 +23,14 @@ namespace delabole {
 // has; bonded rock has its own strength if that is more than the joint's.
 //
 // Infinite if blocks stand without strength; 0 if a hundred times their strength is not enough; empty if anything is
-// scheduled for later, or if a linear programme has no answer. Relative accuracy 1e-6. Time: some 20 linear programmes
-// (`least_imbalance`).
+// scheduled for later, if there are bolts, or if a linear programme has no answer. Relative accuracy 1e-6. Time: some
+// 20 linear programmes (`least_imbalance`).
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
                                                   const std::atomic<bool>* stop = nullptr);
 
-// Whether no such forces exist at the scene's strength, though they would at a hundred times that: blocks that touch
-// nothing at first are held at no strength, and may well come to rest on what they meet. False where there is no
-// answer.
+// Whether no such forces exist at the scene's strength, bolts bearing up to their capacity along their axes, though
+// they would at a hundred times that strength: blocks that touch nothing at first are held at no strength, and may well
+// come to rest on what they meet. False where there is no answer.
 bool lacks_forces(const RelaxationScene& scene);
 
 // The blocks that have lost a neighbour among those `gone` and that the others could not hold even if they were fixed

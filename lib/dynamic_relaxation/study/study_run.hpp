@@ -1,6 +1,7 @@
 // Start, checks and continuation of the runs of a study and of its searches.
 #pragma once
 
+#include "dynamic_relaxation/study/failed_at_rest.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <functional>
@@ -18,23 +19,7 @@ bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bo
 // The run of the study as it stands now, if it ended here: without history and frames.
 RelaxationRun ended_at(const RelaxationStudy& study, const Simulation& simulation);
 
-// The state with displacements since the initial geometry instead of since the static solve at the start.
-inline RelaxationState since_initial_geometry(RelaxationState state) {
-    state.origin.assign(state.motion.size(), {});
-    return state;
-}
-
-// Whether blocks are drawn lying on each other, so that they rest where they begin or fail.
-bool is_drawn_in_contact(const RelaxationStudy& study);
-
-// Whether blocks came to rest, but beyond the threshold of onset, in rotation far beyond, from where they began: the
-// state at rest `begun_at`, or else the initial geometry. A static solve lets them creep as long as their balance
-// improves, for instance until they lean on rock in front. False where something carries them along.
-bool rests_beyond_onset(const Simulation& simulation, const RelaxationState* begun_at = nullptr);
-
-// Whether statics finds no forces that hold the blocks in the initial geometry (`lacks_forces`), if it has to be asked:
-// the run has no verdict, or they came to rest after motion by which they may have jammed.
-bool cannot_stand(const Simulation& simulation);
+InitialContact initial_contact(const RelaxationStudy& study);
 
 // The run of a study with `retrogression`.
 RelaxationRun run_in_stages(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);

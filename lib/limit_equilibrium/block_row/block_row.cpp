@@ -15,8 +15,6 @@ namespace delabole {
 
 namespace {
 
-constexpr std::size_t most_blocks = 100'000;
-
 BlockRowCheck check_input(const BlockRow<>& row) {
     if (row.block.empty()) {
         return BlockRowCheck::no_blocks;

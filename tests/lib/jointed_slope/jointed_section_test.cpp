@@ -81,10 +81,9 @@ TEST(JointedSection, SetEndsOnALine) {
     }
 }
 
-TEST(JointedSection, OrderOfCuttingMatters) {
+TEST(JointedSection, OrderOfCuttingDoesNotMatter) {
     const JointSetCut level = joint_set(0, 1, 0.5);
     JointSetCut ending = joint_set(degrees(90), 1, 0.5);
-    // The first joint above does not yet reach the region, where blocks are not cut from side to side.
     ending.region = {{-1, -1}, {11, -1}, {11, 4.5}, {-1, 4.5}};
     const JointedSection after = cut_in_one_rock(section(square(10), {cut("level", level), cut("b", ending)}));
     const JointedSection before = cut_in_one_rock(section(square(10), {cut("b", ending), cut("level", level)}));
@@ -92,8 +91,13 @@ TEST(JointedSection, OrderOfCuttingMatters) {
     expect_fills(before, square(10));
     // Five rows lie in the region whole.
     EXPECT_EQ(after.block.size(), 5U * 11 + 6);
-    EXPECT_EQ(before.block.size(), 11U);
-    EXPECT_EQ(before.cut[0].dropped, 10U);
+    EXPECT_EQ(sorted_vertices(before), sorted_vertices(after));
+    EXPECT_EQ(before.block.size(), after.block.size());
+    EXPECT_EQ(before.cut[0].dropped, 0U);
+    ending.region = {{-1, -1}, {11, -1}, {11, 4.7}, {-1, 4.7}};
+    const JointedSection short_of = cut_in_one_rock(section(square(10), {cut("b", ending), cut("level", level)}));
+    EXPECT_EQ(short_of.block.size(), after.block.size());
+    EXPECT_EQ(short_of.cut[0].dropped, 10U) << "each ends 0.2 m into the sixth row";
 }
 
 TEST(JointedSection, PersistenceIsTheShareOfBlocksCut) {
@@ -103,8 +107,7 @@ TEST(JointedSection, PersistenceIsTheShareOfBlocksCut) {
     const JointedSection made =
         cut_in_one_rock(section(square(100), {cut("level", joint_set(0, 1, 0.5)), cut("b", traces)}));
     expect_fills(made, square(100));
-    const CutCount& count = made.cut[1];
-    const double share = static_cast<double>(count.made) / static_cast<double>(count.made + count.dropped);
+    const double share = static_cast<double>(made.cut[1].made) / (101 * 100);  // rows, joints
     // A trace of 10 m in 20 m cuts a row of 1 m over 9 m of places; 500 traces of independent beginning: three standard
     // deviations are 0.5 / sqrt(500) * 3 at most, and less by far as only the ends of traces are random.
     EXPECT_NEAR(share, 0.45, 0.067);
@@ -461,6 +464,16 @@ TEST(JointedSection, ColumnsOfManyThinBlocks) {
 }
 
 // Joints are counted before they cut: of two sets that would make 4e12 blocks the first is not too fine by itself.
+// Joints that end inside rock divide nothing before those of the other set are cut.
+TEST(JointedSection, TooManyBlocksOfJointsThatAreCutAgainAreRefused) {
+    JointSetCut ending = joint_set(degrees(90), 0.02, 0.01);
+    ending.region = {{-1, -1}, {11, -1}, {11, 9}, {-1, 9}};
+    const JointedSection made =
+        cut_in_one_rock(section(square(10), {cut("b", ending), cut("level", joint_set(0, 0.02, 0.01))}));
+    EXPECT_EQ(made.check, SlopeCheck::too_many_blocks);
+    EXPECT_EQ(made.index_at_fault, 0U);
+}
+
 TEST(JointedSection, TooManyBlocksAreRefusedBeforeTheyAreCut) {
     const auto refused = [](std::vector<SlopeCut> cuts) {
         const JointedSection made = cut_in_one_rock(section(square(1), std::move(cuts)));

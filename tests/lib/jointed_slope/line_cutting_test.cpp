@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@ using testing::cut_in_one_rock;
 using testing::expect_fills;
 using testing::joint_set;
 using testing::line;
+using testing::one_joint;
 using testing::section;
 using testing::sorted_vertices;
 using testing::square;
@@ -85,6 +87,46 @@ TEST(LineCutting, LineEndsOnAJointThatIsCutLater) {
         EXPECT_EQ(sorted_vertices(made), sorted_vertices(other));
         EXPECT_EQ(made.cut[0].dropped, 0U);
     }
+}
+
+// A joint of a set is the same joint as a line, wherever it ends, and in whatever order they are cut.
+TEST(LineCutting, JointsOfSetsThatMeetInsideABlockCutABlockOut) {
+    const JointSetCut plane_set = one_joint(std::atan(2. / 3), {0, 2}, {{-5, -5}, {6.1, -5}, {6.1, 15}, {-5, 15}});
+    const JointSetCut crack_set = one_joint(degrees(90), {6, 0}, {{-5, 5.7}, {15, 5.7}, {15, 15}, {-5, 15}});
+    const SlopeCut plane_line = cut("plane", line({{-3, 0}, {6.1, 2 + 6.1 * 2 / 3}}));
+    const SlopeCut crack_line = cut("crack", line({{6, 5.7}, {6, 11}}));
+    const JointedSection lines = cut_in_one_rock(section(square(10), {plane_line, crack_line}));
+    ASSERT_GT(lines.block.size(), 1U);
+    for (const SlopeCut& plane : {plane_line, cut("plane", plane_set)}) {
+        for (const SlopeCut& crack : {crack_line, cut("crack", crack_set)}) {
+            for (const std::vector<SlopeCut>& cuts : {std::vector{plane, crack}, std::vector{crack, plane}}) {
+                const JointedSection made = cut_in_one_rock(section(square(10), cuts));
+                expect_fills(made, square(10));
+                EXPECT_EQ(areas_of(made).size(), areas_of(lines).size());
+                EXPECT_NEAR(areas_of(made).front(), areas_of(lines).front(), 0.05);  // points snap to corners
+                EXPECT_GT(made.cut[0].made, 0U);
+                EXPECT_GT(made.cut[1].made, 0U);
+            }
+        }
+    }
+}
+
+// Where joints cross and part no block, nothing is left of the divisions that were tried there.
+TEST(LineCutting, JointsThatCrossInsideABlockAloneCutNothing) {
+    const std::vector<SectionPoint> middle{{3, 3}, {7, 3}, {7, 7}, {3, 7}};
+    const auto few = [&](double dip, double spacing) {
+        JointSetCut set = one_joint(dip, {5, 5}, middle);
+        set.spacing = spacing;
+        return set;
+    };
+    const JointedSection one =
+        cut_in_one_rock(section(square(10), {cut("a", few(degrees(20), 200)), cut("b", few(degrees(-60), 200))}));
+    EXPECT_EQ(one.block.size(), 1U);
+    EXPECT_EQ(one.intact_edges, 0U);
+    const JointedSection two =
+        cut_in_one_rock(section(square(10), {cut("a", few(degrees(20), 200)), cut("b", few(degrees(-60), 2.5))}));
+    EXPECT_EQ(two.block.size(), 1U);
+    EXPECT_EQ(two.intact_edges, 0U);
 }
 
 TEST(LineCutting, LinesThatMissEachOtherOrEndInRockCutNothing) {

@@ -53,6 +53,10 @@ TEST(Bolts, ABlockHangsOnABar) {
     // The bolt is so stiff that the block moves by less than onset, a hundredth of its radius.
     const double stiffness = force / 1e-3;
     RelaxationSettings settings;
+    const RelaxationResult at_rest = relax(hanging(stiffness, 10 * force), settings);
+    ASSERT_EQ(at_rest.outcome, RelaxationOutcome::equilibrium);
+    EXPECT_NEAR(at_rest.bolt[0].force / force, 1, 1e-6);  // the balance of a static start
+    settings.start = RelaxationStart::dropped;
     const RelaxationResult result = relax(hanging(stiffness, 10 * force), settings);
     ASSERT_EQ(result.outcome, RelaxationOutcome::equilibrium);
     ASSERT_EQ(result.bolt.size(), 1U);
@@ -68,6 +72,7 @@ TEST(Bolts, AWeakBarYields) {
     const OnPlane plane = steep();
     const double force = plane.weight() * std::sin(plane.tilt);
     RelaxationSettings settings = unlimited(0.5);
+    settings.start = RelaxationStart::dropped;
     settings.viscous_damping = settings.local_damping = 0;
     const RelaxationResult result = relax(hanging(1e8, force / 2), settings);
     EXPECT_EQ(result.bolt[0].force, force / 2);
@@ -83,7 +88,9 @@ TEST(Bolts, AWeakBarYields) {
 TEST(Bolts, FramesShowWhereTheyAreAndWhatTheyBear) {
     const OnPlane plane = steep();
     const double force = plane.weight() * std::sin(plane.tilt) / 2;
-    Simulation simulation(hanging(1e8, force), unlimited(0.5));
+    RelaxationSettings settings = unlimited(0.5);
+    settings.start = RelaxationStart::dropped;
+    Simulation simulation(hanging(1e8, force), settings);
     MotionRecord record;
     while (simulation.running()) {
         record.record(simulation);
@@ -103,7 +110,8 @@ TEST(Bolts, FramesShowWhereTheyAreAndWhatTheyBear) {
 
 TEST(Bolts, GoOnFromACheckpoint) {
     const RelaxationScene scene = hanging(1e8, 1e4);
-    const RelaxationSettings settings = unlimited(0.2);
+    RelaxationSettings settings = unlimited(0.2);
+    settings.start = RelaxationStart::dropped;
     Simulation whole(scene, settings);
     while (whole.state().time < 0.1) {
         whole.step();
@@ -142,7 +150,7 @@ RelaxationScene row() {
 
 TEST(Bolts, AreCutWhereTheyCrossJoints) {
     const RelaxationScene scene = row();
-    RelaxationBolt bolt{0, 0.5, {0, 2.5, 2, 1e8, 2e5, {}, {}}};
+    RelaxationBolt bolt{0, 0.5, {0, 2.5, 2, 1e8, 2e5, {}, {}, {}}};
     const std::vector<BoltSegment> whole = bolt_segments(scene, bolt, 0);
     ASSERT_EQ(whole.size(), 1U);
     EXPECT_EQ(whole[0].block, 0U);
@@ -157,13 +165,23 @@ TEST(Bolts, AreCutWhereTheyCrossJoints) {
         EXPECT_EQ(grouted[index].other, index + 1);
         EXPECT_NEAR(grouted[index].at.x(), static_cast<double>(index) + 0.9, 1e-12);
         EXPECT_NEAR(grouted[index].stiffness, 1e8 / 0.2 / 2, 1e-3);  // rounding of where the joint is
+        EXPECT_DOUBLE_EQ(grouted[index].capacity, 1e5);
     }
+    // 1 m from its head plate and grout hold 130 kN, 0.5 m from its end the grout 50 kN, each for 2 m of slope.
+    bolt.bar.grout = Grout<double>{1e5, 3e4};
+    bolt.bar.pretension = 6e4;
+    const std::vector<BoltSegment> held = bolt_segments(scene, bolt, 0);
+    EXPECT_DOUBLE_EQ(held[0].capacity, 6.5e4);
+    EXPECT_DOUBLE_EQ(held[0].pretension, 3e4);
+    EXPECT_DOUBLE_EQ(held[1].capacity, 2.5e4);
+    EXPECT_DOUBLE_EQ(held[1].pretension, 2.5e4);
 }
 
 TEST(Bolts, OutsideTheBlocksAreRefused) {
-    for (const RelaxationBolt& bolt : {RelaxationBolt{-1, 0.5, {0, 2.5, 1, 1e8, 1e5, {}, {}}},    // head in the air
-                                       RelaxationBolt{0, 0.5, {0, 4, 1, 1e8, 1e5, {}, {}}},       // end in the air
-                                       RelaxationBolt{0, 0.5, {0, 0.5, 1, 1e8, 1e5, {}, {}}}}) {  // crosses no joint
+    for (const RelaxationBolt& bolt :
+         {RelaxationBolt{-1, 0.5, {0, 2.5, 1, 1e8, 1e5, {}, {}, {}}},    // head in the air
+          RelaxationBolt{0, 0.5, {0, 4, 1, 1e8, 1e5, {}, {}, {}}},       // end in the air
+          RelaxationBolt{0, 0.5, {0, 0.5, 1, 1e8, 1e5, {}, {}, {}}}}) {  // crosses no joint
         RelaxationScene scene = row();
         scene.bolt = bolt_segments(scene, bolt, 0);
         EXPECT_EQ(check_scene(scene).check, SceneCheck::bolt_outside_blocks);
@@ -172,7 +190,7 @@ TEST(Bolts, OutsideTheBlocksAreRefused) {
 
 // A face from (0, 0) to (6, 12): at a height of 6 m it stands at 3 m.
 TEST(Bolts, ARowOfOneIsTheSameSingleBolt) {
-    const BoltBar bar{degrees(10), 8, 2, 1e8, 2e5, 1e4, {}};
+    const BoltBar bar{degrees(10), 8, 2, 1e8, 2e5, 1e4, {}, {}};
     Relaxation single;
     single.scene = RelaxationSlope{};
     std::get<RelaxationSlope>(single.scene).geometry.outline = {{0, 0}, {20, 0}, {20, 12}, {6, 12}};

@@ -1,5 +1,6 @@
 // A block that hangs above its base is brought down onto it; blocks in balance stay where they are.
 #include "dynamic_relaxation/statics/local_balance.hpp"
+#include "parameters/fields.hpp"
 #include "tests/support/brick_pack.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ TEST(LocalBalance, MovesWhatLacksBalanceAndNothingElse) {
     const Bonds bonds(scene, bodies, 0.2, team);
     const std::vector<BondMemory> no_bonds;
     const std::vector<Eigen::Vector3d> loads(bodies.size(), {0, -weight, 0});
-    StaticEquations equations(bodies, bodies.fixed, loads, bonds, no_bonds, list);
+    StaticEquations equations(bodies, bodies.fixed, loads, bonds, no_bonds, {}, list);
     const MemoryArray before = list.memory;
     equations.evaluate(motion, before, list);
     EXPECT_NEAR(equations.unbalanced_ratio(), 1, 1e-9);  // rounding of overlaps of 1e-5 of a brick

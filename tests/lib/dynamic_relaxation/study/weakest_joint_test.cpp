@@ -87,7 +87,8 @@ TEST(WeakestJoint, AWeakPlaneAlongTheFrameCounts) {
     };
     const double strong = std::tan(degrees(45)) / std::tan(tilt);
     EXPECT_NEAR(factor({plane("strong", 0, 0)}), strong, within_bracket);
-    for (const double height : {-0.0002, 0.0, 0.0002, 0.5}) {
+    // Nearer than 7 cm a sliver is left above the frame, which is merged with the rock above the joint.
+    for (const double height : {-0.0002, 0.0, 0.0002, 0.005, 0.05, 0.5}) {
         EXPECT_NEAR(factor({plane("weak", 0, height)}), expected, within_bracket) << height;
     }
     JointSetCut beds = testing::joint_set(0, 1);
@@ -159,6 +160,79 @@ TEST(WeakestJoint, ABlockThatCreepsOntoTheGroundInFrontDoesNotStand) {
         const CriticalAnswer with_tension = find_critical(block_above_ground(height, plane));
         EXPECT_LT(with_tension.stands, 0.664 + within_bracket) << height;
         EXPECT_GT(with_tension.fails, 0.99 * std::tan(degrees(35)) / tangent) << height;
+    }
+}
+
+// A plane and a crack end where they meet, inside the rock: the block between them slides, whether they are lines or
+// joints of sets, each in a region of its own, and whichever is cut first.
+TEST(WeakestJoint, JointsOfSetsThatEndInsideRockCutABlockOut) {
+    const SlopeCut plane{"plane", "plane",
+                         testing::one_joint(degrees(35), {0, 0}, {{-30, -30}, {10.2, -30}, {10.2, 30}, {-30, 30}})};
+    const SlopeCut crack{"crack", "crack",
+                         testing::one_joint(degrees(90), {10, 0}, {{-30, 6.5}, {60, 6.5}, {60, 30}, {-30, 30}})};
+    for (std::vector<SlopeCut> cuts : {std::vector{plane, crack}, std::vector{crack, plane}}) {
+        RelaxationSlope slope{};
+        slope.rock = {{"rock", 2650}};
+        slope.joint = {{"plane", {}, {}}, {"crack", {}, {}}, {"intact", {}, {}}};
+        slope.joint[0].strength.friction_angle = slope.joint[2].strength.friction_angle = degrees(45);
+        slope.joint[2].strength.cohesion = slope.joint[2].strength.tensile_strength = 5e6;
+        slope.frame = SlopeFrame{FrameSides::all_around, 3, {}, "plane"};
+        slope.geometry = testing::section({{-15, -8}, {45, -8}, {45, 12}, {7, 12}, {0, 0}, {-15, 0}}, std::move(cuts));
+        slope.geometry.intact_joint = "intact";
+        RelaxationStudy study{};
+        study.model.scene = slope;
+        study.critical = ReductionSearch{};
+        EXPECT_NEAR(find_critical(study).value(), 1 / std::tan(degrees(35)), within_bracket);
+    }
+}
+
+// Where two joints follow each other on one plane, each face has the friction of its own, wherever outlines begin.
+TEST(WeakestJoint, APlaneOfTwoJointsHasTheStrengthOfEach) {
+    const double tangent = std::tan(degrees(35));
+    const auto factor = [&](std::vector<SlopeCut> cuts) {
+        RelaxationStudy study = two_joints(std::move(cuts));
+        return find_critical(study).value();
+    };
+    const auto on_plane = [&](const std::string& joint, double from, double to) {
+        return SlopeCut{joint, joint, testing::line({{from, 1 + from * tangent}, {to, 1 + to * tangent}})};
+    };
+    const double one_after_the_other = factor({on_plane("strong", -5, 6), on_plane("weak", 6, 30)});
+    EXPECT_NEAR(factor({on_plane("strong", -5, 30), on_plane("weak", 6, 30)}), one_after_the_other, 2 * within_bracket);
+    EXPECT_NEAR(factor({on_plane("weak", 6, 30), on_plane("strong", -5, 6)}), one_after_the_other, 2 * within_bracket);
+}
+
+// A short free length of a grouted bolt turns towards the direction of slip long before onset, by which it would hold
+// the block like a dowel. It counts as tension along its axis. No joint of a bolt whose grout holds less bears more.
+TEST(WeakestJoint, AGroutedBoltHoldsAlongItsAxis) {
+    for (const double height : {0.5, 2.0}) {
+        const double dip = degrees(48);
+        const double plunge = degrees(20);
+        const double friction = std::tan(degrees(47));
+        SlopeJoint plane{};
+        plane.strength.friction_angle = degrees(47);
+        RelaxationStudy study = block_above_ground(height, plane);
+        const double head_x = 9.0 * 8 / 28;
+        BoltBar bar{plunge, 14, 1, 1e9, 6e5, 6e5, 0.2, {}};
+        study.model.bolt = {{head_x, 9, bar}};
+        // Foot and head of the block's plane, then the crest.
+        const double foot_x = height * 8 / 28;
+        const double head_y = height + (17 - foot_x) * std::tan(dip);
+        const Polygon<> block{{foot_x, height}, {17, head_y}, {17, 28}, {8, 28}};
+        const double weight = 2650 * Gravity{}.acceleration * area_properties(block).area;
+        const auto expected = [&](double tension) {
+            return friction * (weight * std::cos(dip) + tension * std::sin(dip + plunge)) /
+                   (weight * std::sin(dip) - tension * std::cos(dip + plunge));
+        };
+        // The bracket, and contacts at the tip as without a bolt.
+        EXPECT_NEAR(find_critical(study).value(), expected(6e5), 0.01);
+        // It bears as much if it was not tensioned.
+        study.model.bolt[0].bar.pretension.reset();
+        EXPECT_NEAR(find_critical(study).value(), expected(6e5), 0.01);
+        // Where the bolt crosses the plane it has so much length behind.
+        const double along =
+            (head_x - foot_x - (9 - height) / std::tan(dip)) / (-std::cos(plunge) - std::sin(plunge) / std::tan(dip));
+        study.model.bolt[0].bar.grout = Grout<double>{4e4, 1e6};
+        EXPECT_NEAR(find_critical(study).value(), expected(4e4 * (14 - along)), 0.01) << height;
     }
 }
 

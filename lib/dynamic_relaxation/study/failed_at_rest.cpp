@@ -1,0 +1,96 @@
+#include "dynamic_relaxation/study/failed_at_rest.hpp"
+
+#include "dynamic_relaxation/study/strength_bound.hpp"
+#include "dynamic_relaxation/study/strength_reduction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+
+namespace {
+
+// The state with displacements since `start` instead of since the static solve at the start.
+RelaxationState since(RelaxationState state, std::vector<Motion> start) {
+    state.origin = std::move(start);
+    return state;
+}
+
+// Whether blocks rest beyond the threshold of onset from `start`, which is where they began: at rest in `begun_at` or
+// else in the initial geometry.
+bool rests_beyond_onset(const Simulation& simulation, const std::vector<Motion>& start,
+                        const RelaxationState* begun_at) {
+    const RelaxationScene& scene = simulation.scene();
+    if (simulation.outcome() != RelaxationOutcome::equilibrium || scene.belt || !scene.motion.empty()) {
+        return false;
+    }
+    RelaxationSettings settings = simulation.settings();
+    const Bodies& bodies = simulation.bodies();
+    // Whether a block has moved beyond the thresholds and its settlement. Some lean beyond the threshold before they
+    // jam; their centroids move with it, by as much in radii.
+    const auto any_is_beyond = [&](const std::vector<Motion>& settled) {
+        constexpr double most_settlement = 0.1;  // radii or rad: more is motion that no strength prevents
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            const auto moved_to = [&](const Motion& now) {
+                const double displacement = std::hypot(now.x - start[block].x, now.y - start[block].y);
+                return MotionExtremes{std::abs(now.angle - start[block].angle), displacement / bodies.radius[block]};
+            };
+            const MotionExtremes moved = moved_to(simulation.state().motion[block]);
+            const MotionExtremes allowed = moved_to(settled[block]);
+            if (bodies.fixed[block] == 0 && simulation.state().removed[block] == 0 &&
+                (moved.rotation >
+                     far_beyond_onset * settings.onset_rotation + std::min(allowed.rotation, most_settlement) ||
+                 moved.displacement >
+                     settings.onset_slide + moved.rotation + std::min(allowed.displacement, most_settlement))) {
+                return true;
+            }
+        }
+        return false;
+    };
+    if (!any_is_beyond(start)) {
+        return false;
+    }
+    // Blocks on soft joints settle by as much, however strong these are.
+    settings.creep = false;
+    settings.start = RelaxationStart::preloaded;
+    const RelaxationScene strong = with_greatest_strength(scene);
+    const Simulation settled =
+        begun_at != nullptr ? Simulation(strong, settings, ConsolidatedState{*begun_at}) : Simulation(strong, settings);
+    const std::optional<StartBalance>& balance = settled.state().start_balance;
+    return !balance || balance->unbalanced_ratio > settings.equilibrium_ratio || any_is_beyond(settled.state().motion);
+}
+
+// Whether statics has to be asked, and finds no forces.
+bool cannot_stand(const Simulation& simulation, const std::vector<Motion>& unmoved) {
+    const RelaxationOutcome outcome = simulation.outcome();
+    bool open = outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
+                outcome == RelaxationOutcome::energy_not_balanced;
+    if (outcome == RelaxationOutcome::equilibrium) {
+        const MotionExtremes moved = farthest_motion(simulation.bodies(), since(simulation.state(), unmoved));
+        constexpr double beyond_settlement = 0.002;  // rad, or of a radius: blocks as stiff as usual settle by a third
+        open = std::max(moved.rotation, moved.displacement) > beyond_settlement || !simulation.scene().bolt.empty();
+    }
+    return open && !simulation.settings().corners_bear && lacks_forces(simulation.scene());
+}
+
+}  // namespace
+
+std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, InitialContact contact,
+                                              const RelaxationState* begun_at) {
+    const std::vector<Motion> unmoved(simulation.bodies().size());
+    const std::vector<Motion>& start = begun_at != nullptr ? begun_at->motion : unmoved;
+    std::optional<RelaxationState> failed;
+    if ((begun_at != nullptr || contact == InitialContact::drawn) && rests_beyond_onset(simulation, start, begun_at)) {
+        failed = since(simulation.state(), start);
+    } else if (cannot_stand(simulation, unmoved)) {
+        failed = since(simulation.state(), unmoved);
+    }
+    if (failed) {
+        failed->onset_time = begun_at != nullptr ? begun_at->time : 0;
+    }
+    return failed;
+}
+
+}  // namespace delabole

@@ -1,0 +1,25 @@
+// Blocks that have failed although they came to rest: "stands" must not be said of them.
+#pragma once
+
+#include "dynamic_relaxation/step/simulation.hpp"
+
+#include <optional>
+
+namespace delabole {
+
+// Whether blocks are drawn lying on each other, so that they rest where they begin or fail.
+enum class InitialContact { drawn, perhaps_none };
+
+// The state of such blocks at the end of a run, with displacements since they began; nothing if they stand or the run
+// has failed by itself. They have failed if
+// - they rest beyond the threshold of onset, in rotation far beyond, from where they began: the state at rest
+//   `begun_at` or else the initial geometry. A static solve lets them creep as long as their balance improves, for
+//   instance until they lean on rock in front. This does not count where something carries them along;
+// - or statics finds no forces that hold them in the initial geometry (`lacks_forces`). It is asked if the run has no
+//   verdict, if they came to rest after motion by which they may have jammed, or if there are bolts: a short one turns
+//   towards the direction of slip within millimetres, and would hold like a dowel.
+// Onset counts as of when they began, so that blocks count as moving that have moved a tenth as far as the farthest.
+std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, InitialContact contact,
+                                              const RelaxationState* begun_at = nullptr);
+
+}  // namespace delabole
