@@ -187,6 +187,14 @@ TEST(RelaxationCase, WaterOfAJointActsOnBothItsFaces) {
               std::string::npos);
 }
 
+TEST(RelaxationCase, GroutNeedsALengthOverWhichABoltStretches) {
+    EXPECT_NE(complaint_with("[[bolt]]\nhead_x = \"0 m\"\nhead_y = \"0.5 m\"\nplunge = \"0 deg\"\nlength = \"1.5 m\"\n"
+                             "spacing = \"1 m\"\naxial_stiffness = \"100 MN\"\ncapacity = \"200 kN\"\n"
+                             "grout = { bond_strength = \"150 kN/m\", plate_capacity = \"100 kN\" }\n")
+                  .find("bolt[1].grout: needs free_length_at_joints"),
+              std::string::npos);
+}
+
 TEST(RelaxationCase, SaysThatTheTimeStepGivenWasDivided) {
     const auto warning_at = [](std::string_view step) -> std::string {
         const Analysis analysis =

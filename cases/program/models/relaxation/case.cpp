@@ -99,18 +99,6 @@ std::size_t index_of(double number) {
     return static_cast<std::size_t>(number) - 1;
 }
 
-// Points on inclined faces are given to some digits.
-bool is_in_or_on(const Polygon<>& convex, const PlanePoint<>& point) {
-    const double near = 0.01 * std::sqrt(std::abs(area_properties(convex).area));
-    for (std::size_t corner = 0; corner < convex.size(); ++corner) {
-        const PlanePoint<> along = convex[(corner + 1) % convex.size()] - convex[corner];
-        if (left_of(along).dot(point - convex[corner]) < -near * along.norm()) {
-            return false;
-        }
-    }
-    return true;
-}
-
 void check_joint_water(Checker& checker, const std::vector<WaterInJoint>& joint_water, const RelaxationScene& scene) {
     if (joint_water.empty()) {
         return;
@@ -136,12 +124,7 @@ void check_joint_water(Checker& checker, const std::vector<WaterInJoint>& joint_
 
 void check_loads(Checker& checker, const Relaxation& model, const RelaxationScene& scene) {
     for (std::size_t index = 0; index < model.force.size(); ++index) {
-        const ForceOnBlock& force = model.force[index];
-        const std::string key = indexed("force", index);
-        if (check_block_number(checker, key + ".block", force.block, scene) &&
-            !is_in_or_on(scene.block[index_of(force.block)].outline, {force.x, force.y})) {
-            checker.complain(key + ".x", "the point (x, y) must lie in or on that block");
-        }
+        check_block_number(checker, indexed("force", index) + ".block", model.force[index].block, scene);
     }
     for (std::size_t index = 0; index < model.pressure.size(); ++index) {
         const WaterPressure& pressure = model.pressure[index];

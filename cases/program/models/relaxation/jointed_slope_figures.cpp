@@ -69,7 +69,7 @@ void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& mad
                                              : ": it runs along other joints, of which the weaker counts, or along the "
                                                "outline, where it counts on the frame alone"));
         } else if (const std::size_t inside = section.cut[index].dropped; inside > 0) {
-            const std::string places = inside == 1 ? " in a place" : " in " + std::to_string(inside) + " places";
+            const std::string places = inside == 1 ? " in one place" : " in " + std::to_string(inside) + " places";
             analysis.warnings.push_back(name + " ends inside a block" +
                                         (std::holds_alternative<LineCut>(cut.trace) ? "" : places) +
                                         ", which holds there like intact rock");

@@ -145,7 +145,26 @@ bool any_free_block_left(const RelaxationRun& made) {
 }
 
 // Warns of differences between the start of the run and the initial geometry.
+// Points on inclined faces are given to some digits.
+bool is_in_or_on(const Polygon<>& convex, const PlanePoint<>& point) {
+    const double near = 0.01 * std::sqrt(area_properties(convex).area);
+    for (std::size_t corner = 0; corner < convex.size(); ++corner) {
+        const PlanePoint<> along = convex[(corner + 1) % convex.size()] - convex[corner];
+        if (left_of(along).dot(point - convex[corner]) < -near * along.norm()) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
+    for (std::size_t index = 0; index < made.scene.force.size(); ++index) {
+        const PointForce& force = made.scene.force[index];
+        if (!is_in_or_on(made.scene.block[force.block].outline, force.at)) {
+            analysis.warnings.push_back(indexed("force", index) + " acts outside block " +
+                                        std::to_string(force.block + 1) + ", as if by a lever");
+        }
+    }
     const std::optional<StartBalance>& start = made.result.start_balance;
     if (start && start->cut_short && start->unbalanced_ratio > made.settings.equilibrium_ratio) {
         analysis.warnings.push_back("the static solve of the start was ended early, with a block out of balance by " +
