@@ -110,7 +110,7 @@ std::vector<LinePart> Reach::parts(const StraightLine& line, std::int64_t number
         add(first, last);
         return parts;
     }
-    if (!(trace_ > shortest_ * snap_)) {
+    if (!(trace_ > shortest_in_snaps * snap_)) {
         return parts;
     }
     const double begin = first_trace(number);

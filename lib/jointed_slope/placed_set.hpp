@@ -48,7 +48,7 @@ class Reach {
     std::vector<LinePart> parts(const StraightLine& line, std::int64_t number, double first, double last) const;
 
   private:
-    static constexpr double shortest_ = 4;  // snap distances
+    static constexpr double shortest_in_snaps = 4;  // a shorter trace is none
 
     double period() const { return trace_ / persistence_; }
     double first_trace(std::int64_t number) const;

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <compare>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -54,14 +53,9 @@ PlanePoint<> arm_of(const SectionMesh& mesh, MeshIndex face, const MeshSegment& 
     return forth ? straight.along : PlanePoint<>(-straight.along);
 }
 
-struct PartPair {
-    std::size_t later;
-    std::size_t earlier;
-    auto operator<=>(const PartPair&) const = default;
-};
-
-// Pairs of different cuts whose extents in both axes meet, in the order of the parts.
-std::vector<PartPair> pairs_that_may_meet(const std::vector<UnfinishedPart>& parts, double snap) {
+// Pairs of parts of different cuts whose extents in both axes meet, the later part first.
+std::vector<std::pair<std::size_t, std::size_t>> pairs_that_may_meet(const std::vector<UnfinishedPart>& parts,
+                                                                     double snap) {
     const auto box_of = [&](std::size_t index) {
         const MeshSegment& piece = parts[index].piece;
         const Eigen::AlignedBox2d ends(piece.first.cwiseMin(piece.second), piece.first.cwiseMax(piece.second));
@@ -70,12 +64,12 @@ std::vector<PartPair> pairs_that_may_meet(const std::vector<UnfinishedPart>& par
     std::vector<std::size_t> upwards(parts.size());
     std::iota(upwards.begin(), upwards.end(), std::size_t{0});
     std::ranges::stable_sort(upwards, {}, [&](std::size_t index) { return box_of(index).min().y(); });
-    std::vector<PartPair> pairs;
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (auto one = upwards.begin(); one != upwards.end(); ++one) {
         const Eigen::AlignedBox2d box = box_of(*one);
         for (auto other = one + 1; other != upwards.end() && box_of(*other).min().y() <= box.max().y(); ++other) {
             if (parts[*one].cut != parts[*other].cut && box.intersects(box_of(*other))) {
-                pairs.push_back({std::max(*one, *other), std::min(*one, *other)});
+                pairs.emplace_back(std::max(*one, *other), std::min(*one, *other));
             }
         }
     }
@@ -88,9 +82,9 @@ std::vector<PartPair> pairs_that_may_meet(const std::vector<UnfinishedPart>& par
 void divide_where_they_meet(CuttingWork& work, MeshIndex face, const std::vector<UnfinishedPart>& parts) {
     constexpr double least_turn = 0.1;  // rad; lines that differ by less run along each other
     std::vector<MeshIndex> divided{face};
-    for (const PartPair& pair : pairs_that_may_meet(parts, work.snap)) {
-        const MeshSegment& one = parts[pair.later].piece;
-        const MeshSegment& other = parts[pair.earlier].piece;
+    for (const auto& [later, earlier] : pairs_that_may_meet(parts, work.snap)) {
+        const MeshSegment& one = parts[later].piece;
+        const MeshSegment& other = parts[earlier].piece;
         const auto at = meeting_point(one, other, work.snap);
         const MeshIndex around = at ? face_around(work.mesh, divided, *at, work.snap) : no_index;
         if (around == no_index) {

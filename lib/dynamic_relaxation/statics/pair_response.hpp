@@ -1,15 +1,14 @@
-// Forces between two blocks in a given state, and their changes with small motions of the two.
+// Forces between two blocks in a given state, and their changes with small motions of the two: those of bonds and
+// bolts. Those of contacts, which take most of the time, are computed where they are summed (static_equations.cpp).
 #pragma once
 
 #include "dynamic_relaxation/contact/bolt_springs.hpp"
 #include "dynamic_relaxation/contact/bonds.hpp"
-#include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/contact/contacts.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
-#include <span>
 
 namespace delabole {
 
@@ -54,12 +53,6 @@ struct Arms {
     PairDirection turn() const { return {0, 0, 1 / radius, -1 / other_radius}; }
 };
 
-// The law of contact_law.hpp without velocities. A contact that is open by less than a `hair` still counts in the
-// tangent: without it, nothing would support blocks that touch without pressure. Where contacts resist with
-// pseudo-viscosity (`resists`), open ones resist as well.
-PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at,
-                     const Arms& arms, ContactMemory& memory, double hair, bool resists);
-
 // The response of a bond to displacements, and its response to a rotation.
 std::array<PairResponse, 2> respond(const Bond& bond, const FacePosition& at, const Arms& arms);
 
@@ -71,12 +64,5 @@ struct HeldByBolt {
 
 // A bolt's direction changes too little in a round for its tangent to matter.
 PairResponse respond(const HeldByBolt& bolt, const BoltPosition& at, const Arms& arms);
-
-// Six rows of six columns: changes of the forces with the displacements of both blocks of a pair, including
-// pseudo-viscosity.
-std::array<double, 36> tangent_of(std::span<const PairResponse> responses, double resisting);
-
-// Resisting forces of a unit pseudo-viscosity for displacements of both blocks.
-std::array<double, 6> damping_against(const std::array<double, 6>& moved, std::span<const PairResponse> responses);
 
 }  // namespace delabole

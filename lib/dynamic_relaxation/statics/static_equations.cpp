@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/statics/static_equations.hpp"
 
 #include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/contact/contact_transition.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,64 @@
 namespace delabole {
 
 namespace {
+
+// The law of contact_law.hpp without velocities. A contact that is open by less than a `hair` still counts in the
+// tangent: without it, nothing would support blocks that touch without pressure. Where contacts resist with
+// pseudo-viscosity (`resists`), open ones resist as well.
+PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at,
+                     const Arms& arms, ContactMemory& memory, double hair, bool resists) {
+    const double overlap = -at.gap;
+    const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
+    const double weight = contact_weight(law, contact, at, memory.insists);
+    memory.shear += at.slide - memory.place;
+    memory.place = at.slide;
+    memory.insists = memory.insists && (weight > 0 || !memory.touching);
+    const bool idle = !memory.touching && (memory.beneath || memory.yields);
+    const bool apart = overlap <= 0;
+    const unsigned over = over_edge({.touching = memory.touching,
+                                     .beneath = memory.beneath,
+                                     .yields = memory.yields,
+                                     .apart = apart,
+                                     .handed_over = 0,
+                                     .taken_over = 0});
+    // A contact of zero weight stays in touch; it carries no force.
+    memory.touching = holds_of_one(bearing_of(over, apart, bonded, 0));
+    memory.sliding = false;
+    const bool open = overlap < -hair && !bonded;
+    PairResponse response;
+    if (idle || open) {
+        memory.shear = 0;
+        if (idle || !resists) {
+            return response;
+        }
+    }
+    response.normal = arms.along(at.normal_x, at.normal_y, at);
+    response.along = arms.along(at.along_x(), at.along_y(), at);
+    if (resists) {
+        response.normal_damping = weight * law.normal_stiffness;
+        response.shear_damping = weight * law.shear_stiffness;
+        if (open) {
+            return response;
+        }
+    }
+    const double pressing = law.normal_stiffness * std::max(overlap, 0.0);
+    const double strength = shear_strength(law, pressing, memory.broken);
+    response.normal_stiffness = weight * law.normal_stiffness;
+    const double trial = -law.shear_stiffness * memory.shear;
+    const double shear = std::clamp(trial, -strength, strength);
+    memory.sliding = slips(trial, strength);
+    memory.slip += (shear - trial) / law.shear_stiffness;
+    memory.shear = -shear / law.shear_stiffness;
+    if (memory.sliding) {
+        const double friction = memory.broken ? law.residual_friction : law.friction;
+        response.coupling = weight * law.normal_stiffness * std::copysign(friction, trial);
+    } else {
+        response.shear_stiffness = weight * law.shear_stiffness;
+    }
+    response.normal_force = weight * (bonded ? law.normal_stiffness * overlap : pressing);
+    response.shear_force = weight * shear;
+    return response;
+}
 
 double stiffest_spring(const ContactList& list, const Bonds& bonds, std::span<const HeldByBolt> bolts) {
     double stiffest = 0;
@@ -24,6 +83,44 @@ double stiffest_spring(const ContactList& list, const Bonds& bonds, std::span<co
         stiffest = std::max(stiffest, bolt.segment.stiffness);
     }
     return stiffest;
+}
+
+// Six rows of six columns: changes of the forces with the displacements of both blocks of a pair, including
+// pseudo-viscosity.
+std::array<double, 36> tangent_of(std::span<const PairResponse> responses, double resisting) {
+    std::array<double, 36> tangent{};
+    for (const PairResponse& response : responses) {
+        const std::array<double, 6> normal = response.normal.of_both();
+        const std::array<double, 6> along = response.along.of_both();
+        const double normal_stiffness = response.normal_stiffness + resisting * response.normal_damping;
+        const double shear_stiffness = response.shear_stiffness + resisting * response.shear_damping;
+        for (std::size_t column = 0; column < 6; ++column) {
+            const double pressed = normal_stiffness * normal[column];
+            const double sheared = response.coupling * normal[column] + shear_stiffness * along[column];
+            for (std::size_t row = 0; row < 6; ++row) {
+                tangent[6 * column + row] += pressed * normal[row] + sheared * along[row];
+            }
+        }
+    }
+    return tangent;
+}
+
+// Resisting forces of a unit pseudo-viscosity for displacements of both blocks.
+std::array<double, 6> damping_against(const std::array<double, 6>& moved, std::span<const PairResponse> responses) {
+    std::array<double, 6> force{};
+    for (const PairResponse& response : responses) {
+        const auto resist = [&](const PairDirection& direction, double damping) {
+            const double by = damping * (direction.x * (moved[0] - moved[3]) + direction.y * (moved[1] - moved[4]) +
+                                         direction.lever * moved[2] + direction.other_lever * moved[5]);
+            const std::array<double, 6> along = direction.of_both();
+            for (std::size_t row = 0; row < 6; ++row) {
+                force[row] += by * along[row];
+            }
+        };
+        resist(response.normal, response.normal_damping);
+        resist(response.along, response.shear_damping);
+    }
+    return force;
 }
 
 }  // namespace
