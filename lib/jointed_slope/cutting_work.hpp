@@ -74,12 +74,6 @@ struct CuttingWork {
     std::vector<MeshIndex> gouge = {};   // rocks that may be thin
     std::vector<std::size_t> rank = {};  // of joints, by strength
 
-    // Those parts that are not so short that they end where they begin.
-    std::vector<LinePart> well_inside(std::vector<LinePart> parts) const {
-        std::erase_if(parts, [&](const LinePart& part) { return !(part.end - part.begin > 4 * snap); });
-        return parts;
-    }
-
     // Rock between joints is stronger than they.
     std::size_t rank_of(MeshIndex joint) const { return joint < rank.size() ? rank[joint] : no_index; }
     // Whether an edge runs along a line whose joint is weaker than its own.
@@ -118,7 +112,7 @@ void divide_into_convex(SectionMesh& mesh, double snap);
 // `number` of the cut seeds a set that has no seed of its own. `rock`: the only rock that is cut, or no_index.
 CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& set, std::size_t number, MeshIndex joint,
                  MeshIndex rock, SlopeCheck& check);
-// What a set would cut at most is checked before it is cut the first time.
+// The number of blocks that a set may make is estimated only when it is cut in the order of the list.
 enum class CutTime { in_order, once_more };
 CutCount cut_placed_set(CuttingWork& work, const PlacedSet& set, CutTime time, SlopeCheck& check);
 std::vector<UnfinishedPart> unfinished_parts(const CuttingWork& work, const PlacedSet& set);
@@ -133,9 +127,10 @@ void give_rocks(CuttingWork& work, const DrawnLine& line);
 // The one of some faces that contains a point well inside it; no_index if there is none.
 MeshIndex face_around(const SectionMesh& mesh, std::span<const MeshIndex> faces, const PlanePoint<>& point,
                       double snap);
-// Divides that one, if there is any, along a line through the point, and puts a vertex there; adds the new face.
-void divide_around(SectionMesh& mesh, std::vector<MeshIndex>& faces, const PlanePoint<>& point,
-                   const PlanePoint<>& direction, double snap);
+// Divides a face along a line through a point well inside it, and puts a vertex there. Returns the new face, or
+// no_index if there is none.
+MeshIndex divide_around(SectionMesh& mesh, MeshIndex face, const PlanePoint<>& point, const PlanePoint<>& direction,
+                        double snap);
 StraightLine line_through(const PlanePoint<>& a, const PlanePoint<>& b);
 
 // Cuts again, after all cuts, lines and joints of sets that ended inside a block: as far as another cut that was made

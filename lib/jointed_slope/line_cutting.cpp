@@ -122,7 +122,7 @@ bool ends_in(const SectionMesh& mesh, MeshIndex face, const StraightLine& straig
         return false;
     }
     const auto [one, other] = std::minmax({straight.place(chord->rising.at), straight.place(chord->falling.at)});
-    return other > reach.begin + 4 * snap && one < reach.end - 4 * snap;
+    return other > reach.begin + least_part * snap && one < reach.end - least_part * snap;
 }
 
 }  // namespace
@@ -144,21 +144,20 @@ MeshIndex face_around(const SectionMesh& mesh, std::span<const MeshIndex> faces,
     return no_index;
 }
 
-void divide_around(SectionMesh& mesh, std::vector<MeshIndex>& faces, const PlanePoint<>& point,
-                   const PlanePoint<>& direction, double snap) {
-    const MeshIndex face = face_around(mesh, faces, point, snap);
-    const MeshIndex beyond = face != no_index ? divide_through(mesh, face, point, direction, snap) : no_index;
+MeshIndex divide_around(SectionMesh& mesh, MeshIndex face, const PlanePoint<>& point, const PlanePoint<>& direction,
+                        double snap) {
+    const MeshIndex beyond = divide_through(mesh, face, point, direction, snap);
     if (beyond == no_index) {
-        return;
+        return no_index;
     }
-    faces.push_back(beyond);
     std::vector<MeshIndex> edges;
     mesh.for_each_edge(beyond, [&](MeshIndex edge) { edges.push_back(edge); });
     for (const MeshIndex edge : edges) {
         if (put_vertex(mesh, edge, point, snap)) {
-            return;
+            break;
         }
     }
+    return beyond;
 }
 
 StraightLine line_through(const PlanePoint<>& a, const PlanePoint<>& b) {

@@ -101,7 +101,7 @@ std::vector<LinePart> Reach::parts(const StraightLine& line, std::int64_t number
     const auto add = [&](double begin, double end) {
         for (const LinePart& part : allowed) {
             const LinePart common{std::max({begin, part.begin, first}), std::min({end, part.end, last})};
-            if (common.begin < common.end) {
+            if (common.end - common.begin > least_part * snap_) {
                 parts.push_back(common);
             }
         }
@@ -110,7 +110,7 @@ std::vector<LinePart> Reach::parts(const StraightLine& line, std::int64_t number
         add(first, last);
         return parts;
     }
-    if (!(trace_ > shortest_in_snaps * snap_)) {
+    if (!(trace_ > least_part * snap_)) {
         return parts;
     }
     const double begin = first_trace(number);

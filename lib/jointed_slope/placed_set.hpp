@@ -12,7 +12,7 @@
 
 namespace delabole {
 
-// Of points from a line.
+// The range of the distances of points from a line.
 struct DistanceRange {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
@@ -30,6 +30,8 @@ StraightLine line_of_dip(double dip);
 std::vector<double> joint_positions(const JointSetCut& set, std::uint64_t seed, double first,
                                     const DistanceRange& extent, std::int64_t& number_of_first, SlopeCheck& check);
 
+constexpr double least_part = 4;  // snap distances; shorter parts of joints end where they begin
+
 // Between two places along a line.
 struct LinePart {
     double begin;
@@ -44,12 +46,10 @@ class Reach {
     bool is_bounded() const { return persistence_ < 1 || !region_.empty(); }
     // Whether a joint extends from one place to the other, but for some snap distances.
     bool contains(const StraightLine& line, std::int64_t number, double first, double last, double snaps = 1) const;
-    // Its parts between two places; traces that end where they begin are none.
+    // Its parts between two places that are longer than the least.
     std::vector<LinePart> parts(const StraightLine& line, std::int64_t number, double first, double last) const;
 
   private:
-    static constexpr double shortest_in_snaps = 4;  // a shorter trace is none
-
     double period() const { return trace_ / persistence_; }
     double first_trace(std::int64_t number) const;
     std::vector<LinePart> in_region(const StraightLine& line) const;

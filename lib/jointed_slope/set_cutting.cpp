@@ -132,8 +132,7 @@ CutCount cut_placed_set(CuttingWork& work, const PlacedSet& set, CutTime time, S
             const FaceCutResult result =
                 cut_face(mesh, face, line, work.snap, set.joint, [&](double first, double last) {
                     const bool crosses = set.reach.contains(line, number, first, last, snaps);
-                    count.dropped +=
-                        !crosses && !work.well_inside(set.reach.parts(line, number, first, last)).empty() ? 1 : 0;
+                    count.dropped += !crosses && !set.reach.parts(line, number, first, last).empty() ? 1 : 0;
                     return crosses;
                 });
             count.made += result.cut == FaceCut::made ? 1 : 0;
@@ -200,8 +199,7 @@ std::vector<UnfinishedPart> unfinished_parts(const CuttingWork& work, const Plac
             const StraightLine line = line_of(set, index, *shift);
             if (const std::optional<Chord> chord = find_chord(work.mesh, face, line, work.snap)) {
                 const auto [first, last] = std::minmax({line.place(chord->rising.at), line.place(chord->falling.at)});
-                for (const LinePart& part :
-                     work.well_inside(set.reach.parts(line, set.first_number + index, first, last))) {
+                for (const LinePart& part : set.reach.parts(line, set.first_number + index, first, last)) {
                     unfinished.push_back({face, set.cut, {line.at(part.begin), line.at(part.end)}});
                 }
             }

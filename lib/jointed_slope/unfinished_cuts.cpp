@@ -56,19 +56,18 @@ PlanePoint<> arm_of(const SectionMesh& mesh, MeshIndex face, const MeshSegment& 
 // Pairs of parts of different cuts whose extents in both axes meet, the later part first.
 std::vector<std::pair<std::size_t, std::size_t>> pairs_that_may_meet(const std::vector<UnfinishedPart>& parts,
                                                                      double snap) {
-    const auto box_of = [&](std::size_t index) {
-        const MeshSegment& piece = parts[index].piece;
-        const Eigen::AlignedBox2d ends(piece.first.cwiseMin(piece.second), piece.first.cwiseMax(piece.second));
-        return Eigen::AlignedBox2d(ends.min().array() - snap, ends.max().array() + snap);
-    };
+    std::vector<Eigen::AlignedBox2d> box;
+    for (const UnfinishedPart& part : parts) {
+        const auto& [first, second] = part.piece;
+        box.emplace_back(first.cwiseMin(second).array() - snap, first.cwiseMax(second).array() + snap);
+    }
     std::vector<std::size_t> upwards(parts.size());
     std::iota(upwards.begin(), upwards.end(), std::size_t{0});
-    std::ranges::stable_sort(upwards, {}, [&](std::size_t index) { return box_of(index).min().y(); });
+    std::ranges::stable_sort(upwards, {}, [&](std::size_t index) { return box[index].min().y(); });
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (auto one = upwards.begin(); one != upwards.end(); ++one) {
-        const Eigen::AlignedBox2d box = box_of(*one);
-        for (auto other = one + 1; other != upwards.end() && box_of(*other).min().y() <= box.max().y(); ++other) {
-            if (parts[*one].cut != parts[*other].cut && box.intersects(box_of(*other))) {
+        for (auto other = one + 1; other != upwards.end() && box[*other].min().y() <= box[*one].max().y(); ++other) {
+            if (parts[*one].cut != parts[*other].cut && box[*one].intersects(box[*other])) {
                 pairs.emplace_back(std::max(*one, *other), std::min(*one, *other));
             }
         }
@@ -93,7 +92,10 @@ void divide_where_they_meet(CuttingWork& work, MeshIndex face, const std::vector
         const PlanePoint<> turn =
             arm_of(work.mesh, around, one, *at, work.snap) - arm_of(work.mesh, around, other, *at, work.snap);
         if (turn.norm() > least_turn) {
-            divide_around(work.mesh, divided, *at, left_of(turn.normalized()), work.snap);
+            const MeshIndex beyond = divide_around(work.mesh, around, *at, left_of(turn.normalized()), work.snap);
+            if (beyond != no_index) {
+                divided.push_back(beyond);
+            }
         }
     }
 }
