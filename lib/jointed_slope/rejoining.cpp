@@ -129,7 +129,7 @@ bool merge_sliver(CuttingWork& work, MeshIndex face) {
 
 }  // namespace
 
-// Where one division ends on another, it has to go first.
+// A division on which another one ends can go only after that one, so that this takes some rounds.
 void rejoin_intact(SectionMesh& mesh) {
     const auto edges = static_cast<MeshIndex>(mesh.edge_count());
     for (bool any = true; any;) {

@@ -111,7 +111,7 @@ TEST(LineCutting, JointsOfSetsThatMeetInsideABlockCutABlockOut) {
     }
 }
 
-// Where joints cross and part no block, nothing is left of the divisions that were tried there.
+// Joints that cross but part no block leave none of the divisions that were tried there.
 TEST(LineCutting, JointsThatCrossInsideABlockAloneCutNothing) {
     const std::vector<SectionPoint> middle{{3, 3}, {7, 3}, {7, 7}, {3, 7}};
     const auto few = [&](double dip, double spacing) {

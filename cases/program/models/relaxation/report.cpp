@@ -144,7 +144,6 @@ bool any_free_block_left(const RelaxationRun& made) {
     return false;
 }
 
-// Warns of differences between the start of the run and the initial geometry.
 // Points on inclined faces are given to some digits.
 bool is_in_or_on(const Polygon<>& convex, const PlanePoint<>& point) {
     const double near = 0.01 * std::sqrt(area_properties(convex).area);
@@ -157,6 +156,7 @@ bool is_in_or_on(const Polygon<>& convex, const PlanePoint<>& point) {
     return true;
 }
 
+// Warns of differences between the start of the run and the initial geometry, and of forces outside their blocks.
 void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
     for (std::size_t index = 0; index < made.scene.force.size(); ++index) {
         const PointForce& force = made.scene.force[index];

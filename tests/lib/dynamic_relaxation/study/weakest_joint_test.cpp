@@ -103,7 +103,7 @@ TEST(WeakestJoint, AWeakPlaneAlongTheFrameCounts) {
     // Contacts at the ends of faces stand for a linear pressure to a few percent.
     EXPECT_NEAR(factor({low}), with_share(lower_half), 0.03 * strong);
     EXPECT_NEAR(factor({high}), with_share(1 - lower_half), 0.03 * strong);
-    // Where both joints have the same friction, the one with less cohesion counts.
+    // The joint with less cohesion counts where both have the same friction.
     EXPECT_NEAR(factor({plane("weak", 0, 0)}, 1e6), expected, within_bracket);
     EXPECT_NEAR(factor({plane("strong", 0, 0), plane("weak", 0, 0)}, 1e6), expected, within_bracket);
 }
@@ -213,7 +213,7 @@ TEST(WeakestJoint, AGroutedBoltHoldsAlongItsAxis) {
         // It bears as much if it was not tensioned.
         study.model.bolt[0].bar.pretension.reset();
         EXPECT_NEAR(find_critical(study).value(), expected(6e5), 0.01);
-        // Where the bolt crosses the plane it has so much length behind.
+        // The bolt crosses the plane at this distance from its head.
         const double along =
             (head_x - foot_x - (9 - height) / std::tan(dip)) / (-std::cos(plunge) - std::sin(plunge) / std::tan(dip));
         study.model.bolt[0].bar.grout = Grout<double>{4e4, 1e6};
