@@ -139,6 +139,26 @@ inline bool inside(const Polygon<>& polygon, const PlanePoint<>& point) {
     return result;
 }
 
+// Whether two edges cross. Those that only touch do not.
+inline bool crosses_itself(const Polygon<>& polygon) {
+    const auto edge = [&](std::size_t index) {
+        return HalfPlane<>{polygon[index], polygon[(index + 1) % polygon.size()]};
+    };
+    const auto divides = [](const HalfPlane<>& line, const HalfPlane<>& other) {
+        const double from = line.side(other.from);
+        const double to = line.side(other.to);
+        return (from > 0 && to < 0) || (from < 0 && to > 0);
+    };
+    for (std::size_t one = 0; one < polygon.size(); ++one) {
+        for (std::size_t other = 0; other < one; ++other) {
+            if (divides(edge(one), edge(other)) && divides(edge(other), edge(one))) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 // The part of a polygon in a half-plane; empty if there is none.
 template <class T>
 Polygon<T> clip(const Polygon<T>& polygon, const HalfPlane<T>& half_plane) {

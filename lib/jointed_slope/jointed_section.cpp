@@ -83,6 +83,7 @@ class Cutter {
         require(!set.ends_on || work_.line.contains(*set.ends_on), SlopeCheck::unknown_line);
         require(!set.staggered_by || work_.set.contains(*set.staggered_by), SlopeCheck::unknown_set);
         require(set.region.empty() || set.region.size() > 2, SlopeCheck::region_too_short);
+        require(!crosses_itself(polygon_of(set.region)), SlopeCheck::region_crosses_itself);
         const MeshIndex rock = rock_of(set.rock);
         return check_ == SlopeCheck::valid ? cut_set(work_, cut, set, number, joint, rock, check_) : CutCount{};
     }
@@ -234,6 +235,15 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
     merge_slivers(work, geometry.sliver_share.value_or(SlopeGeometry::standard_sliver_share), section);
     collect(work, section);
     return section;
+}
+
+Polygon<> polygon_of(const std::vector<SectionPoint>& corners) {
+    Polygon<> polygon;
+    polygon.reserve(corners.size());
+    for (const SectionPoint& corner : corners) {
+        polygon.emplace_back(corner.x, corner.y);
+    }
+    return polygon;
 }
 
 Polygon<> outline_of(const JointedSection& section, const SlopeBlock& block) {

@@ -36,6 +36,7 @@ enum class SlopeCheck {
     line_too_short,              // fewer than two points apart
     line_folds_back,             // turns by more than about 150 deg
     region_too_short,
+    region_crosses_itself,
     persistence_without_trace_length,
     gouge_and_thickness,  // one without the other
     feature_and_side,     // one without the other
@@ -50,7 +51,8 @@ enum class SlopeCheck {
     water_table_too_short,
     water_table_not_increasing,  // in x
     area_too_short,              // fewer than three corners
-    area_without_block,          // no block has its centre in the area
+    area_crosses_itself,
+    area_without_block,  // no block has its centre in the area
 };
 
 struct SlopeBlock {
@@ -93,5 +95,6 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
                          const std::vector<std::string>& joints, const std::vector<std::size_t>& rank = {});
 
 Polygon<> outline_of(const JointedSection& section, const SlopeBlock& block);
+Polygon<> polygon_of(const std::vector<SectionPoint>& corners);
 
 }  // namespace delabole

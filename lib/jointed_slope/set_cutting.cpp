@@ -153,11 +153,11 @@ CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& se
     for (const PlanePoint<>& point : work.mesh.points()) {
         extent.include(upright.distance(point));
     }
-    Polygon<> region;
+    Polygon<> region = polygon_of(set.region);
     DistanceRange in_region;
-    for (const SectionPoint& point : set.region) {
-        region.push_back(PlanePoint<>(point.x, point.y) - work.origin);
-        in_region.include(upright.distance(region.back()));
+    for (PlanePoint<>& corner : region) {
+        corner -= work.origin;
+        in_region.include(upright.distance(corner));
     }
     std::int64_t first_number = 0;
     std::vector<double> position =

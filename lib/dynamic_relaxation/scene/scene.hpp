@@ -162,6 +162,7 @@ struct RelaxationScene {
 enum class SceneCheck {
     valid,
     no_free_block,
+    no_block_left,  // all that are free are taken away
     number_not_finite,
     outline_not_convex,   // or clockwise, or with fewer than three vertices
     edge_too_short,       // below 1e-6 of the block's size

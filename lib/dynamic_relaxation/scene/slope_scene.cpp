@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -42,15 +43,6 @@ std::vector<std::size_t> ranks_of(const std::vector<SlopeJoint>& joints) {
         ranks.push_back(static_cast<std::size_t>(std::ranges::count_if(joints, is_weaker)));
     }
     return ranks;
-}
-
-Polygon<> polygon_of(const std::vector<SectionPoint>& area) {
-    Polygon<> polygon;
-    polygon.reserve(area.size());
-    for (const SectionPoint& point : area) {
-        polygon.emplace_back(point.x, point.y);
-    }
-    return polygon;
 }
 
 std::vector<Polygon<>> polygons_of(const auto& areas) {
@@ -149,19 +141,17 @@ class SlopeSceneMaker {
                 }
             }
         }
-        const auto too_short = [&](const auto& areas, std::size_t counted_before) {
-            for (std::size_t index = 0; index < areas.size(); ++index) {
-                if (areas[index].vertex.size() < 3) {
-                    index_at_fault_ = counted_before + index;
-                    return true;
-                }
+        std::vector<Polygon<>> areas = polygons_of(slope_.fixed);
+        std::ranges::move(polygons_of(slope_.stage), std::back_inserter(areas));
+        used_.assign(areas.size(), false);
+        for (index_at_fault_ = 0; index_at_fault_ < areas.size(); ++index_at_fault_) {
+            if (areas[index_at_fault_].size() < 3) {
+                return SlopeCheck::area_too_short;
             }
-            return false;
-        };
-        if (too_short(slope_.fixed, 0) || too_short(slope_.stage, slope_.fixed.size())) {
-            return SlopeCheck::area_too_short;
+            if (crosses_itself(areas[index_at_fault_])) {
+                return SlopeCheck::area_crosses_itself;
+            }
         }
-        used_.assign(slope_.fixed.size() + slope_.stage.size(), false);
         return SlopeCheck::valid;
     }
 

@@ -231,6 +231,9 @@ SceneFault check_loads(const RelaxationScene& scene) {
             return {SceneCheck::load_out_of_range, index};
         }
     }
+    std::vector<char> stays(count, 0);
+    std::ranges::transform(scene.block, stays.begin(),
+                           [](const RelaxationBlock& block) { return block.fixed ? 0 : 1; });
     for (std::size_t index = 0; index < scene.removal.size(); ++index) {
         if (scene.removal[index].block >= count) {
             return {SceneCheck::unknown_block, index};
@@ -238,6 +241,10 @@ SceneFault check_loads(const RelaxationScene& scene) {
         if (!std::isfinite(scene.removal[index].time)) {
             return {SceneCheck::number_not_finite, index};
         }
+        stays[scene.removal[index].block] = 0;
+    }
+    if (std::ranges::count(stays, 1) == 0) {
+        return {SceneCheck::no_block_left, 0};
     }
     if (!finite(scene.shaking)) {
         return {SceneCheck::number_not_finite, 0};

@@ -140,6 +140,24 @@ TEST(JointedSlopeCase, WarnsOfASideThatNothingHolds) {
     EXPECT_FALSE(warned(replaced(bench, "below_and_behind", "all_around")));
 }
 
+TEST(JointedSlopeCase, WarnsOfForcesWithoutEffectOrOutsideTheirBlock) {
+    const std::string brief = replaced(std::string(slope_text), "duration = \"1 s\"", "duration = \"0.001 s\"");
+    const auto warnings = [&](std::size_t block, std::string_view x) {
+        const std::string force = "\n[[force]]\nblock = " + std::to_string(block) + "\nx = \"" + std::string(x) +
+                                  "\"\ny = \"4 m\"\nhorizontal = \"1 N/m\"\nvertical = \"0 N/m\"\n";
+        std::string all;
+        for (const std::string& warning : analyse_model(parse_case(brief + force, "case").model).warnings) {
+            all += warning;
+        }
+        return all;
+    };
+    const auto study = std::get<RelaxationStudy>(parse_case(brief, "case").model);
+    const std::size_t count = relaxation_scene(study).block.size();
+    EXPECT_NE(warnings(1, "-9 m").find("force[1] acts outside block 1, as if by a lever"), std::string::npos);
+    EXPECT_NE(warnings(count, "5 m").find("force[1] has no effect: block " + std::to_string(count) + " is fixed"),
+              std::string::npos);
+}
+
 TEST(JointedSlopeCase, ComplaintsNameTheKey) {
     const auto has = [](const std::string& text, std::string_view part) {
         return text.find(part) != std::string::npos;
@@ -167,6 +185,12 @@ TEST(JointedSlopeCase, ComplaintsNameTheKey) {
     EXPECT_TRUE(has(complaint_about("{ x = \"14 m\", y = \"0 m\" }, { x = \"14 m\", y = \"8 m\" }",
                                     "{ x = \"400 km\", y = \"0 m\" }, { x = \"400 km\", y = \"80 km\" }"),
                     "the outline is 400000 m wide: is its drawing in millimetres?"));
+    const auto about_area = [](const std::string& section) { return complaint(std::string(slope_text) + section); };
+    constexpr std::string_view bow_tie =
+        "vertex = [{ x = \"0 m\", y = \"0 m\" }, { x = \"14 m\", y = \"8 m\" }, { x = \"14 m\", y = \"0 m\" }, "
+        "{ x = \"0 m\", y = \"8 m\" }]\n";
+    EXPECT_TRUE(has(about_area("[[scene.fixed]]\n" + std::string(bow_tie)), "scene.fixed[1].vertex"));
+    EXPECT_TRUE(has(about_area("[[scene.stage]]\ntime = \"1 s\"\n" + std::string(bow_tie)), "edges that cross"));
     EXPECT_TRUE(has(complaint_about("outline = [", "outline_file = \"none.dxf\"\noutline = ["), "scene.outline_file"));
 }
 

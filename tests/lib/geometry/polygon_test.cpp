@@ -13,6 +13,7 @@ namespace {
 using delabole::area_properties;
 using delabole::AreaProperties;
 using delabole::clip;
+using delabole::crosses_itself;
 using delabole::HalfPlane;
 using delabole::PlanePoint;
 using delabole::Polygon;
@@ -115,6 +116,15 @@ TEST(Split, LineThroughVerticesGivesThemToBothParts) {
     EXPECT_EQ(area_properties(parts.right).area, 2);
     EXPECT_EQ(parts.left.size(), 3U);
     EXPECT_EQ(parts.right.size(), 3U);
+}
+
+TEST(CrossesItself, WhereEdgesCrossButNotWhereTheyTouch) {
+    EXPECT_TRUE(crosses_itself({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));
+    EXPECT_TRUE(crosses_itself({{0, 1}, {-0.6, -0.8}, {1, 0.3}, {-1, 0.3}, {0.6, -0.8}}));
+    EXPECT_FALSE(crosses_itself({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}})) << "closed";
+    EXPECT_FALSE(crosses_itself({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}})) << "an hourglass";
+    EXPECT_FALSE(crosses_itself({{0, 0}, {1, 0.2}, {2, 0}, {1, 2}})) << "a dart";
+    EXPECT_FALSE(crosses_itself({}));
 }
 
 TEST(Clip, TouchingLineLeavesNothingOrAll) {

@@ -416,6 +416,10 @@ TEST(JointedSection, BadGeometryIsNamed) {
     EXPECT_EQ(with_set([](JointSetCut& set) { set.rock = "granite"; }), SlopeCheck::unknown_rock);
     EXPECT_EQ(with_set([](JointSetCut& set) { set.region = {{0, 0}, {1, 1}}; }), SlopeCheck::region_too_short);
     EXPECT_EQ(with_set([](JointSetCut& set) {
+                  set.region = {{0, 0}, {9, 9}, {9, 0}, {0, 9}};
+              }),
+              SlopeCheck::region_crosses_itself);
+    EXPECT_EQ(with_set([](JointSetCut& set) {
                   set.ends_on = "a";
                   set.side = SideOfLine::above;
               }),

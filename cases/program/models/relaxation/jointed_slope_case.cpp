@@ -106,6 +106,8 @@ std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
         return SlopeComplaint{trace + ".vertex", "turns back on itself by more than 150 deg"};
     case SlopeCheck::region_too_short:
         return SlopeComplaint{trace + ".region", "needs at least three corners"};
+    case SlopeCheck::region_crosses_itself:
+        return SlopeComplaint{trace + ".region", "has edges that cross: list its corners in their order"};
     case SlopeCheck::persistence_without_trace_length:
         return SlopeComplaint{trace + ".persistence", "below 1 needs trace_length beside it"};
     case SlopeCheck::gouge_and_thickness:
@@ -143,6 +145,9 @@ std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
         return SlopeComplaint{"scene.water.vertex", "must have x increasing"};
     case SlopeCheck::area_too_short:
         return SlopeComplaint{area_key(slope, made.index_at_fault) + ".vertex", "needs at least three corners"};
+    case SlopeCheck::area_crosses_itself:
+        return SlopeComplaint{area_key(slope, made.index_at_fault) + ".vertex",
+                              "has edges that cross: list the corners in their order"};
     case SlopeCheck::area_without_block:
         return SlopeComplaint{area_key(slope, made.index_at_fault), "holds the centre of no block"};
     }

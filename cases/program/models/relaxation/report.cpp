@@ -156,11 +156,16 @@ bool is_in_or_on(const Polygon<>& convex, const PlanePoint<>& point) {
     return true;
 }
 
-// Warns of differences between the start of the run and the initial geometry, and of forces outside their blocks.
+// Warns of differences between the start of the run and the initial geometry, and of forces on fixed blocks or outside
+// their blocks.
 void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
     for (std::size_t index = 0; index < made.scene.force.size(); ++index) {
         const PointForce& force = made.scene.force[index];
-        if (!is_in_or_on(made.scene.block[force.block].outline, force.at)) {
+        const RelaxationBlock& block = made.scene.block[force.block];
+        if (block.fixed) {
+            analysis.warnings.push_back(indexed("force", index) + " has no effect: block " +
+                                        std::to_string(force.block + 1) + " is fixed");
+        } else if (!is_in_or_on(block.outline, force.at)) {
             analysis.warnings.push_back(indexed("force", index) + " acts outside block " +
                                         std::to_string(force.block + 1) + ", as if by a lever");
         }

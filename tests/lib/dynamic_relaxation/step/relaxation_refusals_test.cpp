@@ -142,6 +142,9 @@ TEST(Refusals, UnknownBlocksEdgesAndMaterials) {
     RelaxationScene nothing_free = full_scene();
     nothing_free.block[0].fixed = nothing_free.block[2].fixed = true;
     expect_refused(nothing_free, SceneCheck::no_free_block, 0, "all fixed");
+    RelaxationScene all_gone = full_scene();
+    all_gone.removal = {{0, 0.5}, {2, -1}};
+    expect_refused(all_gone, SceneCheck::no_block_left, 0, "all taken away");
     RelaxationScene empty;
     empty.material = {joint(1e8, 0.5)};
     expect_refused(empty, SceneCheck::no_free_block, 0, "no block");
