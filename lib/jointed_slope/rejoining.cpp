@@ -93,9 +93,10 @@ bool has_the_weakest_joint(const CuttingWork& work, MeshIndex face, MeshIndex ed
 void keep_joint_on_outline(CuttingWork& work, MeshIndex face, MeshIndex boundary, double length) {
     SectionMesh& mesh = work.mesh;
     const MeshIndex joint = mesh.edge(boundary).joint;
+    const PlanePoint<> direction = (mesh.end(boundary) - mesh.start(boundary)).normalized();
     mesh.for_each_edge(face, [&](MeshIndex edge) {
         const bool on_outline = mesh.edge(edge).twin == no_index;
-        if (on_outline && (mesh.end(edge) - mesh.start(edge)).norm() > length / 2 &&
+        if (on_outline && std::abs(direction.dot(mesh.end(edge) - mesh.start(edge))) > length / 2 &&
             work.rank_of(joint) < work.rank_of(mesh.joint_at(edge))) {
             mesh.set_joint(edge, joint);
         }

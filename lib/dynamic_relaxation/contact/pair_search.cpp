@@ -353,9 +353,15 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     const PlanePoint<>& to_next = block.along[corner];
     const PlanePoint<> to_previous = -block.along[block.before(corner)];
     const PlanePoint<> normal = other.normal(edge);
-    // The face of the corner's block that lies on the edge is the one nearer to its direction.
-    const std::size_t face =
-        std::abs(to_next.dot(normal)) < std::abs(to_previous.dot(normal)) ? corner : block.before(corner);
+    // The face of the corner's block that lies on the edge is the one nearer to its direction; where the joint
+    // changes on a straight face, the one that lies on the edge itself.
+    const double length = bodies_.length[other.begin + edge];
+    const auto shared = [&](std::size_t face) { return shared_length(block, face, other, edge, length); };
+    constexpr double straight = 1e-9;  // sine of the turn
+    const bool goes_on = std::abs(to_next.x() * to_previous.y() - to_next.y() * to_previous.x()) < straight;
+    const bool is_next = goes_on ? shared(corner) > shared(block.before(corner))
+                                 : std::abs(to_next.dot(normal)) < std::abs(to_previous.dot(normal));
+    const std::size_t face = is_next ? corner : block.before(corner);
     const double next = to_next.dot(other.along[edge]);
     const double previous = to_previous.dot(other.along[edge]);
     ContactLaw law{};
@@ -365,8 +371,7 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     law.end_weight = -std::min(next, previous) > lean ? 0.5 : -0.5;
     law.inverse_blend = 1 / (2 * (blend_length * shortest_));
     std::size_t weaker = weaker_joint(scene_, bodies_, block.begin + face, other.begin + edge);
-    const double length = bodies_.length[other.begin + edge];
-    if (beyond && shared_length(block, face, other, edge, length) < at_tip * shortest_) {
+    if (beyond && shared(face) < at_tip * shortest_) {
         // Joints cross here at so small an angle that they are one face. Blocks on opposite sides of both meet in this
         // point alone, and slide along the weaker joint.
         for (const std::size_t there : {block.begin + corner, block.begin + block.before(corner), *beyond}) {
@@ -383,7 +388,7 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     law.friction = friction_[weaker];
     law.residual_friction = residual_friction_[weaker];
     if (joint.cohesion != 0 || joint.tensile_strength != 0) {
-        const double half_shared = shared_length(block, face, other, edge, length) / 2;
+        const double half_shared = shared(face) / 2;
         law.cohesion = joint.cohesion * half_shared;
         law.residual_cohesion = joint.residual_cohesion * half_shared;
         law.tension = joint.tensile_strength * half_shared;

@@ -186,6 +186,21 @@ TEST(WeakestJoint, JointsOfSetsThatEndInsideRockCutABlockOut) {
     }
 }
 
+// Where two joints follow each other on one plane, each face has the friction of its own, wherever outlines begin.
+TEST(WeakestJoint, APlaneOfTwoJointsHasTheStrengthOfEach) {
+    const double tangent = std::tan(degrees(35));
+    const auto factor = [&](std::vector<SlopeCut> cuts) {
+        RelaxationStudy study = two_joints(std::move(cuts));
+        return find_critical(study).value();
+    };
+    const auto on_plane = [&](const std::string& joint, double from, double to) {
+        return SlopeCut{joint, joint, testing::line({{from, 1 + from * tangent}, {to, 1 + to * tangent}})};
+    };
+    const double one_after_the_other = factor({on_plane("strong", -5, 6), on_plane("weak", 6, 30)});
+    EXPECT_NEAR(factor({on_plane("strong", -5, 30), on_plane("weak", 6, 30)}), one_after_the_other, 2 * within_bracket);
+    EXPECT_NEAR(factor({on_plane("weak", 6, 30), on_plane("strong", -5, 6)}), one_after_the_other, 2 * within_bracket);
+}
+
 // A short free length of a grouted bolt turns towards the direction of slip long before onset, by which it would hold
 // the block like a dowel. It counts as tension along its axis. No joint of a bolt whose grout holds less bears more.
 TEST(WeakestJoint, AGroutedBoltHoldsAlongItsAxis) {
