@@ -5,8 +5,8 @@
 // at one value and fail at a less demanding one; bisection sees one such change. Where the blocks at the ratio found
 // came to rest in motion, values less demanding by 2 to 10 % are tried as well, and the answer is the least demanding
 // at which they were found to fail. Blocks that rest beyond the threshold of onset from where a run began have failed.
-// Those that rest farther than 0.002 radii from the initial geometry, or whose run has no verdict, fail if statics
-// finds no forces that hold them there (strength_bound.hpp).
+// Those that rest, or whose run has no verdict, fail if statics finds no forces that hold them in the initial geometry
+// (failed_at_rest.hpp).
 #pragma once
 
 #include "dynamic_relaxation/step/outcome.hpp"

@@ -155,7 +155,12 @@ struct CriticalPlan {
     std::vector<LoadingPath> path;   // the first one gives the answer
     std::vector<std::string> joint;  // names of joints whose strength is divided; empty: all
 
-    // Whether the blocks stand at low values and fail at high ones.
+    // Whether blocks that fail may stand at a greater value: loads that neither tilt nor weight changes can hold them,
+    // and what leans the other way fails on the other side. Both bounds are tried then.
+    bool has_two_limits() const {
+        return parameter == CriticalParameter::tilt || parameter == CriticalParameter::weight;
+    }
+    // Whether the blocks stand at low values and fail at high ones, unless they have two limits.
     bool stands_low() const { return parameter != CriticalParameter::friction; }
     double should_stand() const { return stands_low() ? lower : upper; }
     double should_fail() const { return stands_low() ? upper : lower; }

@@ -62,17 +62,54 @@ bool rests_beyond_onset(const Simulation& simulation, const std::vector<Motion>&
     return !balance || balance->unbalanced_ratio > settings.equilibrium_ratio || any_is_beyond(settled.state().motion);
 }
 
-// Whether statics has to be asked, and finds no forces.
-bool cannot_stand(const Simulation& simulation, const std::vector<Motion>& unmoved) {
+// Whether blocks touch across joints that were open in the initial geometry.
+bool has_closed_joints(const Simulation& simulation) {
+    const Bodies& bodies = simulation.bodies();
+    const ContactList& list = simulation.state().contacts;
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact contact = list.contact[index];
+        const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
+        if (contact.gap > closed_joint * shortest && list.memory[index].touching) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The state in which blocks have failed by statics, if it has to be asked and finds no forces that hold them.
+std::optional<RelaxationState> failed_by_statics(const Simulation& simulation) {
     const RelaxationOutcome outcome = simulation.outcome();
+    const RelaxationSettings& settings = simulation.settings();
+    const Bodies& bodies = simulation.bodies();
+    RelaxationState state = since(simulation.state(), std::vector<Motion>(bodies.size()));
+    const MotionExtremes moved = farthest_motion(bodies, state);
     bool open = outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
                 outcome == RelaxationOutcome::energy_not_balanced;
     if (outcome == RelaxationOutcome::equilibrium) {
-        const MotionExtremes moved = farthest_motion(simulation.bodies(), since(simulation.state(), unmoved));
+        constexpr std::size_t quickly_asked = 2000;
         constexpr double beyond_settlement = 0.002;  // rad, or of a radius: blocks as stiff as usual settle by a third
-        open = std::max(moved.rotation, moved.displacement) > beyond_settlement || !simulation.scene().bolt.empty();
+        open = bodies.size() <= quickly_asked || std::max(moved.rotation, moved.displacement) > beyond_settlement ||
+               !simulation.scene().bolt.empty();
     }
-    return open && !simulation.settings().corners_bear && lacks_forces(simulation.scene());
+    if (!open || settings.corners_bear) {
+        return std::nullopt;
+    }
+    std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene());
+    if (!mechanism || (mechanism->at_any_strength && has_closed_joints(simulation))) {
+        return std::nullopt;
+    }
+    if (moved.rotation < settings.onset_rotation && moved.displacement < settings.onset_slide) {
+        state.motion = std::move(mechanism->motion);
+        const MotionExtremes begun = farthest_motion(bodies, state);
+        const double share =
+            std::max(begun.rotation / settings.onset_rotation, begun.displacement / settings.onset_slide);
+        for (Motion& motion : state.motion) {
+            motion.x /= share;
+            motion.y /= share;
+            motion.set_angle(motion.angle / share);
+        }
+    }
+    return state;
 }
 
 }  // namespace
@@ -84,8 +121,8 @@ std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, Init
     std::optional<RelaxationState> failed;
     if ((begun_at != nullptr || contact == InitialContact::drawn) && rests_beyond_onset(simulation, start, begun_at)) {
         failed = since(simulation.state(), start);
-    } else if (cannot_stand(simulation, unmoved)) {
-        failed = since(simulation.state(), unmoved);
+    } else {
+        failed = failed_by_statics(simulation);
     }
     if (failed) {
         failed->onset_time = begun_at != nullptr ? begun_at->time : 0;

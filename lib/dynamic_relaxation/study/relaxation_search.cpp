@@ -94,12 +94,22 @@ class PathSearch {
         const auto probe = [&](double at) {
             return rested && at == *value.consolidated_at ? *rested : probe_at(at, Begin::from_consolidated);
         };
-        static_cast<CriticalValue&>(value) =
-            find_critical(probe, should_stand, plan_.should_fail(), plan_.tolerance,
-                          plan_.is_ratio() ? BracketMean::geometric : BracketMean::arithmetic);
-        if (rested) {
-            count_costs(value);
+        const auto search = [&](double from, double to) {
+            return find_critical(probe, from, to, plan_.tolerance,
+                                 plan_.is_ratio() ? BracketMean::geometric : BracketMean::arithmetic);
+        };
+        CriticalValue& found = value;
+        const double should_fail = should_stand == plan_.should_fail() ? plan_.should_stand() : plan_.should_fail();
+        found = search(should_stand, should_fail);
+        if (plan_.has_two_limits() && found.status == CriticalStatus::fails_everywhere) {
+            const CriticalValue other = search(should_fail, should_stand);
+            found = other.status == CriticalStatus::fails_everywhere ? found : other;
+        } else if (plan_.has_two_limits() && found.status == CriticalStatus::stands_everywhere &&
+                   should_stand != plan_.should_stand()) {
+            const CriticalValue other = search(should_stand, plan_.should_stand());
+            found = other.status == CriticalStatus::stands_everywhere ? found : other;
         }
+        count_costs(value);
         take_up_failed(value);
         return value;
     }
@@ -153,14 +163,18 @@ class PathSearch {
     // stand as given are kept as near to failure as those that do: they rest at the greatest of 1/2, 1/4, ... at which
     // they can, since forces that jam them would stay from a strength far greater than their own.
     std::vector<double> consolidation_values() const {
-        if (!plan_.is_ratio() || plan_.upper < own_ratio) {
-            return {plan_.should_stand()};
-        }
         std::vector<double> values;
-        for (double ratio = own_ratio; ratio > plan_.lower; ratio /= 2) {
-            values.push_back(ratio);
+        if (!plan_.is_ratio() || plan_.upper < own_ratio) {
+            values.push_back(plan_.should_stand());
+        } else {
+            for (double ratio = own_ratio; ratio > plan_.lower; ratio /= 2) {
+                values.push_back(ratio);
+            }
+            values.push_back(std::min(plan_.lower, own_ratio));
         }
-        values.push_back(std::min(plan_.lower, own_ratio));
+        if (plan_.has_two_limits()) {
+            values.push_back(plan_.upper);
+        }
         return values;
     }
 

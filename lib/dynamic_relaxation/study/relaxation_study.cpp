@@ -229,9 +229,8 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
         });
     progress.state = simulation.state();
     made = ended_at(study, simulation);
-    const bool rests = made.result.outcome == RelaxationOutcome::equilibrium && !made.result.onset_time &&
-                       initial_contact(study) == InitialContact::drawn;
-    if (auto failed = rests ? failed_at_rest(simulation, InitialContact::drawn) : std::nullopt) {
+    const bool rests = made.result.outcome == RelaxationOutcome::equilibrium && !made.result.onset_time;
+    if (auto failed = rests ? failed_at_rest(simulation, initial_contact(study)) : std::nullopt) {
         made = ended_at(study, Simulation(made.scene, made.settings, std::move(*failed)));
         made.result.outcome = made.settings.stop_at_onset ? RelaxationOutcome::onset : made.result.outcome;
     }

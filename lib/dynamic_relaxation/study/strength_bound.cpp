@@ -104,15 +104,29 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
     return standing;
 }
 
-bool lacks_forces(const RelaxationScene& scene) {
+std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene) {
     if (!is_static(scene)) {
-        return false;
+        return std::nullopt;
     }
     const Bodies bodies = make_bodies(scene);
     const std::vector<SharedFace> faces = find_shared_faces(bodies);
     const std::vector<char> removed = removed_at_first(scene);
-    return stands(assembly_of(scene, bodies, faces, removed, true).assembly) == false &&
-           stands(assembly_of(with_greatest_strength(scene), bodies, faces, removed, true).assembly) == true;
+    const auto [assembly, block_of] = assembly_of(scene, bodies, faces, removed, true);
+    const LeastImbalance found = least_imbalance(assembly);
+    if (found.status != LpStatus::optimal || found.stands()) {
+        return std::nullopt;
+    }
+    const std::optional<bool> with_strength =
+        stands(assembly_of(with_greatest_strength(scene), bodies, faces, removed, true).assembly);
+    StaticMechanism mechanism{std::vector<Motion>(bodies.size()), with_strength != true};
+    for (std::size_t body = 0; body < block_of.size(); ++body) {
+        const VirtualMotion& moved = found.mechanism[body];
+        Motion& motion = mechanism.motion[block_of[body]];
+        motion.x = moved.displacement.x();
+        motion.y = moved.displacement.y();
+        motion.set_angle(moved.rotation);
+    }
+    return mechanism;
 }
 
 std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const Bodies& bodies,

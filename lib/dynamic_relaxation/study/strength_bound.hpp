@@ -28,10 +28,15 @@ namespace delabole {
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
                                                   const std::atomic<bool>* stop = nullptr);
 
-// Whether no such forces exist at the scene's strength, bolts bearing up to their capacity along their axes, though
-// they would at a hundred times that strength: blocks that touch nothing at first are held at no strength, and may well
-// come to rest on what they meet. False where there is no answer.
-bool lacks_forces(const RelaxationScene& scene);
+struct StaticMechanism {
+    std::vector<Motion> motion;    // of each block as it begins to fail, the fastest point by about a metre
+    bool at_any_strength = false;  // a hundred times the strength does not hold the blocks either
+};
+
+// The mechanism by which blocks fail if no such forces exist at the scene's strength, bolts bearing up to their
+// capacity along their axes; nothing if there are such forces, or no answer. Two linear programmes: a second for 1500
+// blocks.
+std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene);
 
 // The blocks that have lost a neighbour among those `gone` and that the others could not hold even if they were fixed
 // (the removable blocks of Goodman & Shi 1985, with friction and water). Further blocks may lose their support with

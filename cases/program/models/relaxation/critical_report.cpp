@@ -31,23 +31,48 @@ std::string bracket_in_words(double value, double other, Dimension dimension) {
     return in_digits(value, dimension, std::clamp(digits, fewest, most));
 }
 
+// The nearest values at which blocks were found to stand and to fail; without an answer an end may be the search's own.
+struct KnownEnds {
+    std::optional<double> stands;
+    std::optional<double> fails;
+};
+
+KnownEnds known_ends(const CriticalPlan& plan, const PathValue& value) {
+    switch (value.status) {
+    case CriticalStatus::found:
+        return {value.stands, value.fails};
+    case CriticalStatus::stands_everywhere:
+        return {value.last, std::nullopt};
+    case CriticalStatus::fails_everywhere:
+        return {std::nullopt, value.last};
+    default:
+        return {value.stands != plan.should_stand() ? std::optional(value.stands) : std::nullopt,
+                value.fails != plan.should_fail() ? std::optional(value.fails) : std::nullopt};
+    }
+}
+
 // "stands", "fails" and the values found for them on one path.
 std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     const Dimension dimension = dimension_of(plan.parameter);
     const std::string last = value_in_words(value.last, dimension);
     const std::string more = plan.stands_low() ? ": raise critical.upper" : ": lower critical.lower";
     const std::string less = plan.stands_low() ? ": lower critical.lower" : ": raise critical.upper";
-    const std::string known =
-        value.stands != value.fails && value.stands != plan.should_stand() && value.fails != plan.should_fail()
-            ? ". The blocks stand at " + bracket_in_words(value.stands, value.fails, dimension) + " and fail at " +
-                  bracket_in_words(value.fails, value.stands, dimension)
-            : "";
+    const KnownEnds ends = known_ends(plan, value);
+    const std::string known = ends.stands && ends.fails
+                                  ? ". The blocks stand at " + bracket_in_words(*ends.stands, *ends.fails, dimension) +
+                                        " and fail at " + bracket_in_words(*ends.fails, *ends.stands, dimension)
+                                  : "";
     switch (value.status) {
     case CriticalStatus::found:
         return {};
     case CriticalStatus::stands_everywhere:
         return "the blocks stand even at " + last + more;
     case CriticalStatus::fails_everywhere:
+        if (plan.has_two_limits()) {
+            return "the blocks fail at " + value_in_words(plan.lower, dimension) + " and at " +
+                   value_in_words(plan.upper, dimension) +
+                   ": move critical.lower or critical.upper to where they stand";
+        }
         return "the blocks fail" + std::string(value.held_by_corners ? ", or are held by corners alone," : "") +
                " even at " + last + less;
     case CriticalStatus::undecided:
@@ -148,14 +173,17 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
                   column_name("stands", dimension), column_name("fails", dimension), "failing_blocks", "runs"});
     const auto add = [&](const PathValue& value) {
         const bool found = value.status == CriticalStatus::found;
+        const KnownEnds ends = known_ends(plan, value);
         const double failing = value.failed ? static_cast<double>(failing_blocks(*value.failed).block.size()) : 0;
         table.rows.push_back({std::string(word_of(value.path)),
                               found ? in_six_digits(value.value(), dimension) : human_name(word_of(value.status)),
-                              in_six_digits(value.stands, dimension), in_six_digits(value.fails, dimension),
-                              human_number(failing, 6), std::to_string(value.runs)});
+                              ends.stands ? in_six_digits(*ends.stands, dimension) : "none",
+                              ends.fails ? in_six_digits(*ends.fails, dimension) : "none", human_number(failing, 6),
+                              std::to_string(value.runs)});
         csv.add_row({std::string(word_of(value.path)), std::string(word_of(value.status)),
                      found ? Cell(in_display_unit(value.value(), dimension)) : Cell(std::string()),
-                     in_display_unit(value.stands, dimension), in_display_unit(value.fails, dimension), failing,
+                     ends.stands ? Cell(in_display_unit(*ends.stands, dimension)) : Cell(std::string()),
+                     ends.fails ? Cell(in_display_unit(*ends.fails, dimension)) : Cell(std::string()), failing,
                      static_cast<double>(value.runs)});
     };
     add(critical);
@@ -200,8 +228,9 @@ std::string end_in_words(const RelaxationRun& made) {
     }
     switch (result.outcome) {
     case RelaxationOutcome::equilibrium:
-        return result.onset_time ? "Failed, and came to rest: " + area + " had moved" + after + "."
-                                 : "Stands: at rest" + after + ".";
+        return !result.onset_time       ? "Stands: at rest" + after + "."
+               : *result.onset_time > 0 ? "Failed, and came to rest: " + area + " had moved" + after + "."
+                                        : "Fails: at rest" + after + ", but not as drawn: " + area + " begin to move.";
     case RelaxationOutcome::held_by_corners:
         return "Held by corners alone: at rest" + after + ", but without corners on corners blocks would move.";
     case RelaxationOutcome::onset:
@@ -286,7 +315,11 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
         return head;
     }
     HeadCard head{tone_of(made), {end_in_words(made)}, {}};
-    if (result.onset_time) {
+    if (result.onset_time == 0.0) {
+        head.sentences.emplace_back(
+            "Where they are drawn no forces on their faces hold the blocks, or they moved beyond the thresholds of "
+            "failure before they rested.");
+    } else if (result.onset_time) {
         // A crack long before anything can be seen to move belongs to the settling of the first steps.
         constexpr double settled = 0.01;  // of the time to onset
         const bool crack = result.first_crack && result.first_crack->time >= settled * *result.onset_time;
@@ -313,9 +346,9 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
         analysis.outputs.push_back({key, meaning, of, value, detail});
     };
     append(names.front().name, meaning_of(plan.parameter), dimension, value_or_status(critical), false);
-    // The bracket of the answer; without an answer these values may still be the bounds of the search.
-    append("critical.stands", "nearest value found to stand", dimension, critical.stands, !found);
-    append("critical.fails", "nearest value found to fail", dimension, critical.fails, !found);
+    const KnownEnds ends = known_ends(plan, critical);
+    append("critical.stands", "nearest value found to stand", dimension, value_or_none(ends.stands), !found);
+    append("critical.fails", "nearest value found to fail", dimension, value_or_none(ends.fails), !found);
     append("critical.path", "loading path on which the value was found", Dimension::ratio,
            std::string(word_of(critical.path)), false);
     append("critical.consolidated_at", "value at which the blocks came to rest first", dimension,

@@ -205,7 +205,7 @@ void append_run_warnings(const RelaxationRun& made, Analysis& analysis) {
     append_start_warnings(made, analysis);
     append_divided_step_warning(made, analysis);
     const RelaxationResult& result = made.result;
-    if (result.outcome == RelaxationOutcome::equilibrium && result.onset_time) {
+    if (result.outcome == RelaxationOutcome::equilibrium && result.onset_time.value_or(0) > 0) {
         analysis.warnings.push_back("the blocks came to rest only after the onset of failure at " +
                                     value_in_words(*result.onset_time, Dimension::time) +
                                     ": this is equilibrium of another shape than the initial geometry");

@@ -135,6 +135,11 @@ TEST(EnergyOfRemoval, IsBookedWithTheBlock) {
     OnPlane plane;
     plane.tilt = degrees(45);
     RelaxationScene scene = scene_of(plane);
+    RelaxationBlock left_behind = scene.block[0];
+    for (PlanePoint<>& corner : left_behind.outline) {
+        corner.x() += 2;
+    }
+    scene.block.push_back(left_behind);
     scene.removal = {{0, 0.2}};
     const RelaxationResult result = relax(scene, for_so_long(0.3));
     ASSERT_GT(result.energy_balance.kinetic_damping, 0.1 * result.energy_balance.applied);
