@@ -130,4 +130,15 @@ std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, Init
     return failed;
 }
 
+RelaxationResult result_of(const Simulation& at_rest, const RelaxationState& failed) {
+    RelaxationResult result = at_rest.result();
+    RelaxationResult moved = Simulation(at_rest.scene(), at_rest.settings(), failed).result();
+    result.block = std::move(moved.block);
+    result.onset_time = moved.onset_time;
+    if (at_rest.settings().stop_at_onset) {
+        result.outcome = RelaxationOutcome::onset;
+    }
+    return result;
+}
+
 }  // namespace delabole

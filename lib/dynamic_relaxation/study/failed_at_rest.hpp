@@ -25,4 +25,7 @@ enum class InitialContact { drawn, perhaps_none };
 std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, InitialContact contact,
                                               const RelaxationState* begun_at = nullptr);
 
+// The result of such a run: energies and forces are those at rest, movements those of the failed state.
+RelaxationResult result_of(const Simulation& at_rest, const RelaxationState& failed);
+
 }  // namespace delabole

@@ -231,8 +231,9 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
     made = ended_at(study, simulation);
     const bool rests = made.result.outcome == RelaxationOutcome::equilibrium && !made.result.onset_time;
     if (auto failed = rests ? failed_at_rest(simulation, initial_contact(study)) : std::nullopt) {
-        made = ended_at(study, Simulation(made.scene, made.settings, std::move(*failed)));
-        made.result.outcome = made.settings.stop_at_onset ? RelaxationOutcome::onset : made.result.outcome;
+        made.result = result_of(simulation, *failed);
+        made.end = std::move(failed);
+        made.post_failure = post_failure_of(study, made, made.end->motion, made.end->removed);
     }
     if (study.history) {
         made.history = progress.history;

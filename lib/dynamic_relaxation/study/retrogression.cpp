@@ -194,9 +194,8 @@ class Retrogression {
         made.end = simulation.state();
         made.result = simulation.result();
         if (auto failed = ended ? failed_at_rest(simulation, initial_contact(study_)) : std::nullopt) {
+            made.result = result_of(simulation, *failed);
             made.end = std::move(failed);
-            made.result = Simulation(made.scene, settings_, *made.end).result();
-            made.result.outcome = RelaxationOutcome::onset;
         }
         if (!ended) {
             progress_.state = simulation.state();
