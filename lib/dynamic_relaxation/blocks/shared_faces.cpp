@@ -38,13 +38,11 @@ std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, st
 }
 
 std::vector<BlockPair> touching_blocks(const Bodies& bodies) {
-    if (bodies.size() == 0) {
-        return {};  // there is no shortest edge
-    }
     const std::vector<Motion> unmoved(bodies.size());
     const std::vector<char> none_removed(bodies.size(), 0);
-    const double margin = closed_joint * *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end());
-    const std::vector<double> reach(bodies.size(), margin / 2);
+    // The sum of both is at least the opening of a closed joint.
+    std::vector<double> reach(bodies.size());
+    std::ranges::transform(bodies.shortest_edge, reach.begin(), [](double edge) { return closed_joint * edge / 2; });
     return neighbouring_blocks(bodies, unmoved, none_removed, reach);
 }
 

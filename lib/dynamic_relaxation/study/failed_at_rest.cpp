@@ -77,7 +77,7 @@ bool has_closed_joints(const Simulation& simulation) {
 }
 
 // The state in which blocks have failed by statics, if it has to be asked and finds no forces that hold them.
-std::optional<RelaxationState> failed_by_statics(const Simulation& simulation) {
+std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, InitialContact contact) {
     const RelaxationOutcome outcome = simulation.outcome();
     const RelaxationSettings& settings = simulation.settings();
     const Bodies& bodies = simulation.bodies();
@@ -95,10 +95,12 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation) {
         return std::nullopt;
     }
     std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene());
-    if (!mechanism || (mechanism->at_any_strength && has_closed_joints(simulation))) {
+    const bool within_onset = moved.rotation < settings.onset_rotation && moved.displacement < settings.onset_slide;
+    const bool may_close_joints = contact == InitialContact::perhaps_none && within_onset;
+    if (!mechanism || ((mechanism->at_any_strength || may_close_joints) && has_closed_joints(simulation))) {
         return std::nullopt;
     }
-    if (moved.rotation < settings.onset_rotation && moved.displacement < settings.onset_slide) {
+    if (within_onset) {
         state.motion = std::move(mechanism->motion);
         const MotionExtremes begun = farthest_motion(bodies, state);
         const double share =
@@ -122,7 +124,7 @@ std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, Init
     if ((begun_at != nullptr || contact == InitialContact::drawn) && rests_beyond_onset(simulation, start, begun_at)) {
         failed = since(simulation.state(), start);
     } else {
-        failed = failed_by_statics(simulation);
+        failed = failed_by_statics(simulation, contact);
     }
     if (failed) {
         failed->onset_time = begun_at != nullptr ? begun_at->time : 0;

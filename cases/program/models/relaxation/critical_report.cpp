@@ -317,7 +317,7 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
     HeadCard head{tone_of(made), {end_in_words(made)}, {}};
     if (result.onset_time == 0.0) {
         head.sentences.emplace_back(
-            "Where they are drawn no forces on their faces hold the blocks, or they moved beyond the thresholds of "
+            "No forces on their faces hold the blocks where they are drawn, or they moved beyond the thresholds of "
             "failure before they rested.");
     } else if (result.onset_time) {
         // A crack long before anything can be seen to move belongs to the settling of the first steps.

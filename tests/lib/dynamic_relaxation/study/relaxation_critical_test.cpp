@@ -151,6 +151,23 @@ TEST(CriticalTilt, IsThatOfTheShapeAsDrawn) {
     }
 }
 
+// Where blocks are drawn apart, what comes to rest on a stop within the thresholds of onset stands. The gap of 0.1 mm
+// is closed for faces of metres, whatever pebble lies elsewhere.
+TEST(CriticalTilt, ABlockThatRestsOnAStopStands) {
+    for (const double gap : {1e-4, 2e-3}) {
+        RelaxationStudy study = on_a_floor({{{-2, 0}, {-gap, 0}, {-gap, 1}, {-2, 1}},
+                                            {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                                            {{5, 0}, {5.01, 0}, {5, 0.01}}},
+                                           degrees(30));
+        auto& polygons = std::get<RelaxationPolygons>(study.model.scene);
+        polygons.block[1].hold = polygons.block[3].hold = BlockHold::fixed;
+        polygons.tilt = degrees(40);
+        const RelaxationRun made = run(study);
+        EXPECT_EQ(made.result.outcome, RelaxationOutcome::equilibrium) << gap;
+        EXPECT_FALSE(made.result.onset_time) << gap;
+    }
+}
+
 // A force holds a block up that is too light without it; a column leans the other way.
 TEST(CriticalValue, HasTwoLimitsWhereMoreMayHoldBlocks) {
     RelaxationStudy study = on_a_floor({{{0, 0}, {2, 0}, {2, 1}, {0, 1}}}, degrees(30));

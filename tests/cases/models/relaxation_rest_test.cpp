@@ -1,0 +1,71 @@
+// What is said of blocks that rest away from where they are drawn, and of searches that find only one end.
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/model_reports.hpp"
+
+#include "tests/cases/example_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace delabole {
+namespace {
+
+using testing::changed;
+
+// A slab that leans on a square in front of it. Beyond 43.58 deg no forces on faces hold them as drawn (exact search of
+// block rows, mode SP); the static solver finds balance after they have leaned by 0.07 deg.
+constexpr std::string_view leaning_text = R"(schema = 1
+model = "relaxation"
+[scene]
+kind = "blocks"
+tilt = "43.9 deg"
+[[scene.joint]]
+friction_angle = "44.9 deg"
+[[scene.block]]
+density = "2500 kg/m3"
+hold = "fixed"
+vertex = [{ x = "-5 m", y = "-1 m" }, { x = "5 m", y = "-1 m" }, { x = "5 m", y = "0 m" }, { x = "-5 m", y = "0 m" }]
+[[scene.block]]
+density = "2500 kg/m3"
+vertex = [{ x = "0 m", y = "0 m" }, { x = "1.44 m", y = "0 m" }, { x = "1.44 m", y = "1.39 m" }, { x = "0 m", y = "1.39 m" }]
+[[scene.block]]
+density = "8000 kg/m3"
+vertex = [{ x = "1.44 m", y = "0 m" }, { x = "2.54 m", y = "0 m" }, { x = "2.54 m", y = "3.9 m" }, { x = "1.44 m", y = "3.9 m" }]
+)";
+
+Analysis analysis_of_leaning(std::string_view text) {
+    return analyse_model(parse_case(text, "case").model);
+}
+
+const Cell& output_at_rest(const Analysis& analysis, std::string_view name) {
+    return analysis.find(name)->value;
+}
+
+TEST(RelaxationRest, InAnotherShapeIsFailure) {
+    const Analysis fails = analysis_of_leaning(leaning_text);
+    EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "outcome")), "equilibrium");
+    EXPECT_EQ(std::get<double>(output_at_rest(fails, "onset_time")), 0);
+    EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "block[2].movement")), "moves") << "the mechanism of statics";
+    // Energies are those at rest, not those of the mechanism.
+    EXPECT_NEAR(std::get<double>(output_at_rest(fails, "energy.residual_share")), 0, 1e-6);
+    const Analysis stands = analysis_of_leaning(changed(leaning_text, "43.9 deg", "43.4 deg"));
+    EXPECT_EQ(std::get<std::string>(output_at_rest(stands, "block[2].movement")), "stays");
+}
+
+TEST(RelaxationRest, ASearchSaysOnlyWhatItFound) {
+    const auto searched = [](std::string_view lower, std::string_view upper) {
+        return analysis_of_leaning(std::string(leaning_text) + "[critical]\nparameter = \"tilt\"\nlower = \"" +
+                                   std::string(lower) + "\"\nupper = \"" + std::string(upper) + "\"\n");
+    };
+    const Analysis stands = searched("0 deg", "30 deg");
+    EXPECT_NEAR(std::get<double>(output_at_rest(stands, "critical.stands")), degrees(30), 1e-12);
+    EXPECT_EQ(std::get<std::string>(output_at_rest(stands, "critical.fails")), "none");
+    const Analysis fails = searched("50 deg", "60 deg");
+    EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "critical.stands")), "none");
+    EXPECT_NEAR(std::get<double>(output_at_rest(fails, "critical.fails")), degrees(50), 1e-12);
+    const Analysis found = searched("40 deg", "50 deg");
+    EXPECT_NEAR(std::get<double>(output_at_rest(found, "critical_tilt")), degrees(43.58), degrees(0.02));
+}
+
+}  // namespace
+}  // namespace delabole
