@@ -249,16 +249,19 @@ std::optional<double> bound_of_statics(const BlockScene& made_of, const Critical
     }
     const std::optional<double> bound = greatest_strength_reduction(scene, &interrupt_flag());
     answer_interrupt();
-    return bound;
+    return bound == 0.0 ? std::nullopt : bound;  // no strength holds blocks that do not touch as drawn
 }
 
-void append_bound_of_statics(double bound, const CriticalAnswer& critical, Analysis& analysis) {
+void append_bound_of_statics(const BlockScene& made_of, double bound, const CriticalAnswer& critical,
+                             Analysis& analysis) {
     analysis.outputs.push_back({"critical.bound_of_statics",
                                 "greatest factor at which faces can take forces in equilibrium, on whatever path",
                                 Dimension::ratio, bound, false});
     constexpr double model_error = 0.01;  // blocks rotate and joints deform before they fail
     if (critical.status == CriticalStatus::found && critical.value() > (1 + model_error) * bound) {
+        const bool may_be_apart = std::holds_alternative<RelaxationPolygons>(made_of);
         analysis.warnings.push_back("beyond a factor of " + number_in_words(bound) + " the blocks rest " +
+                                    (may_be_apart ? "on blocks that they did not touch as drawn, or " : std::string()) +
                                     std::string(corners_hold));
     }
 }
@@ -367,7 +370,7 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
     if (answer.critical) {
         append_critical(analysis, *answer.plan, *answer.critical, answer.other_path);
         if (answer.bound_of_statics) {
-            append_bound_of_statics(*answer.bound_of_statics, *answer.critical, analysis);
+            append_bound_of_statics(study.model.scene, *answer.bound_of_statics, *answer.critical, analysis);
         }
         leave_unfinished(word_of(answer.critical->worst_status()), search_in_words(*answer.plan, *answer.critical));
     }
