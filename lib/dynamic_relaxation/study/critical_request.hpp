@@ -68,7 +68,8 @@ struct AngleSearch {
                               of_tilt ? "least tilt tried, which is constant whatever [tilting] does"
                                       : "least friction angle tried, of every joint, peak and residual"),
             number<&A::upper>(Dimension::angle, range,
-                              of_tilt ? "greatest tilt tried" : "greatest friction angle tried"),
+                              of_tilt ? "greatest tilt tried; the blocks may stand here and fail at the least"
+                                      : "greatest friction angle tried"),
             absent_is(standard_angle_tolerance,
                       number<&A::tolerance>(Dimension::angle, within(degrees(1e-9), degrees(10)), tolerance_meaning)),
             section<&A::path>(
