@@ -102,12 +102,12 @@ class PathSearch {
         const double should_fail = should_stand == plan_.should_fail() ? plan_.should_stand() : plan_.should_fail();
         found = search(should_stand, should_fail);
         if (plan_.has_two_limits() && found.status == CriticalStatus::fails_everywhere) {
-            const CriticalValue other = search(should_fail, should_stand);
-            found = other.status == CriticalStatus::fails_everywhere ? found : other;
+            found = search(should_fail, should_stand);
         } else if (plan_.has_two_limits() && found.status == CriticalStatus::stands_everywhere &&
                    should_stand != plan_.should_stand()) {
             const CriticalValue other = search(should_stand, plan_.should_stand());
-            found = other.status == CriticalStatus::stands_everywhere ? found : other;
+            const bool tells = other.status == CriticalStatus::found || other.status == CriticalStatus::interrupted;
+            found = tells ? other : found;
         }
         count_costs(value);
         take_up_failed(value);
@@ -429,7 +429,7 @@ std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const Crit
     StudyProgress whole;
     SearchProgress progress;
     PathSearch search(study, plan, LoadingPath::preloaded, work, whole, progress);
-    const double value = less_demanding * found.stands;
+    const double value = found.stands < found.fails ? less_demanding * found.stands : found.stands / less_demanding;
     const RelaxationOutcome outcome = search.run_at(value, std::max(found.steps, fewest_steps)).outcome;
     const bool stands = outcome == RelaxationOutcome::equilibrium;
     return stands || shows_failure(outcome) ? std::optional(OtherPath{value, stands}) : std::nullopt;

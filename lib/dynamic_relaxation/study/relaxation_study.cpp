@@ -146,9 +146,9 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
 }
 
 // A search that ended at one of its bounds gives a bound of the output. At the critical value itself the blocks stand.
-// With several paths it is not known which of them ended there.
+// With several paths it is not known which of them ended there, with two limits not on which side they are.
 std::vector<OutputBound> bounds_of(const CriticalPlan& plan, std::size_t output) {
-    if (plan.path.size() > 1) {
+    if (plan.path.size() > 1 || plan.has_two_limits()) {
         return {};
     }
     const std::string_view stands = word_of(CriticalStatus::stands_everywhere);
@@ -170,7 +170,8 @@ std::vector<char> removed_in(const MotionFrame& frame) {
 }
 
 void find_early_failure(const RelaxationStudy& study, const std::vector<MotionFrame>& frames, RelaxationRun& made) {
-    if (!made.post_failure || frames.empty()) {
+    const bool failed_at_rest = made.result.onset_time == 0.0;  // the frames show nothing of it
+    if (!made.post_failure || frames.empty() || failed_at_rest) {
         return;
     }
     const auto at = [&](const MotionFrame& frame) {

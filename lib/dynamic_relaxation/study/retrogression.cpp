@@ -143,7 +143,7 @@ class Retrogression {
         }
         made.stage = progress_.stage;
         // Afterwards `progress` holds the complete last run, so that a continuation finds the same end.
-        progress_.state = made.end;
+        progress_.state = at_rest_ ? at_rest_ : made.end;
         if (made.failed()) {
             progress_.stage.pop_back();
         }
@@ -182,6 +182,7 @@ class Retrogression {
     // Returns whether blocks failed and were removed.
     bool run_stage(RelaxationRun& made) {
         std::optional<RelaxationState> begun = std::exchange(progress_.state, {});
+        at_rest_.reset();
         Simulation simulation =
             begun ? Simulation(made.scene, settings_, std::move(*begun)) : Simulation(made.scene, settings_);
         const bool ended = go_on(
@@ -195,7 +196,7 @@ class Retrogression {
         made.result = simulation.result();
         if (auto failed = ended ? failed_at_rest(simulation, initial_contact(study_)) : std::nullopt) {
             made.result = result_of(simulation, *failed);
-            made.end = std::move(failed);
+            at_rest_ = std::exchange(made.end, std::move(failed));
         }
         if (!ended) {
             progress_.state = simulation.state();
@@ -274,6 +275,7 @@ class Retrogression {
     const RelaxationStudy& study_;
     const StudyWork& work_;
     StudyProgress& progress_;
+    std::optional<RelaxationState> at_rest_ = {};  // of the last stage, if its blocks failed at rest
     RelaxationScene whole_;
     RelaxationSettings settings_;
     Bodies bodies_ = {};

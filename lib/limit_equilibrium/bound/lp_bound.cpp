@@ -138,7 +138,7 @@ class Programme {
         control.ord_alg = GLP_ORD_AMD;
         if (glp_interior(problem_.get(), &control) == 0 && glp_ipt_status(problem_.get()) == GLP_OPT) {
             return {LpStatus::optimal, AssemblyCheck::valid, std::max(glp_ipt_obj_val(problem_.get()), 0.0),
-                    mechanism_of([&](int row) { return glp_ipt_row_dual(problem_.get(), row); })};
+                    mechanism_of([&](int row) { return -glp_ipt_row_dual(problem_.get(), row); })};
         }
         const LpStatus status = solve();
         if (status != LpStatus::optimal) {

@@ -62,7 +62,7 @@ TEST(RelaxationRest, ASearchSaysOnlyWhatItFound) {
     EXPECT_EQ(std::get<std::string>(output_at_rest(stands, "critical.fails")), "none");
     const Analysis fails = searched("50 deg", "60 deg");
     EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "critical.stands")), "none");
-    EXPECT_NEAR(std::get<double>(output_at_rest(fails, "critical.fails")), degrees(50), 1e-12);
+    EXPECT_NEAR(std::get<double>(output_at_rest(fails, "critical.fails")), degrees(60), 1e-12);
     const Analysis found = searched("40 deg", "50 deg");
     EXPECT_NEAR(std::get<double>(output_at_rest(found, "critical_tilt")), degrees(43.58), degrees(0.02));
 }

@@ -46,9 +46,13 @@ KnownEnds known_ends(const CriticalPlan& plan, const PathValue& value) {
     case CriticalStatus::fails_everywhere:
         return {std::nullopt, value.last};
     default:
-        return {value.stands != plan.should_stand() ? std::optional(value.stands) : std::nullopt,
-                value.fails != plan.should_fail() ? std::optional(value.fails) : std::nullopt};
+        break;
     }
+    const auto known = [&](double end) {
+        const bool own_bound = end == plan.lower || end == plan.upper;
+        return own_bound || value.stands == value.fails ? std::nullopt : std::optional(end);
+    };
+    return {known(value.stands), known(value.fails)};
 }
 
 // "stands", "fails" and the values found for them on one path.
@@ -390,8 +394,8 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
                                     value_in_words(other_path->value, dimension) +
                                     ", at which they stand after they were consolidated: the value found depends on "
                                     "the loading path; critical.paths = \"all\" tells how much");
-    } else if (critical.consolidated_at && plan.is_ratio() && *critical.consolidated_at < 1 && plan.upper >= 1 &&
-               !other_path) {
+    } else if (critical.consolidated_at && plan.is_ratio() && *critical.consolidated_at != 1 && plan.lower <= 1 &&
+               plan.upper >= 1 && !other_path) {
         analysis.warnings.push_back(
             "the blocks do not stand as the case has them: they were consolidated at a factor of " +
             number_in_words(*critical.consolidated_at) +

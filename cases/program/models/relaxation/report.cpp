@@ -249,7 +249,8 @@ std::optional<double> bound_of_statics(const BlockScene& made_of, const Critical
     }
     const std::optional<double> bound = greatest_strength_reduction(scene, &interrupt_flag());
     answer_interrupt();
-    return bound == 0.0 ? std::nullopt : bound;  // no strength holds blocks that do not touch as drawn
+    const bool may_be_apart = std::holds_alternative<RelaxationPolygons>(made_of);
+    return may_be_apart && bound == 0.0 ? std::nullopt : bound;  // no strength holds what touches nothing as drawn
 }
 
 void append_bound_of_statics(const BlockScene& made_of, double bound, const CriticalAnswer& critical,

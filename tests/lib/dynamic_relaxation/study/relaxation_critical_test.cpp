@@ -142,6 +142,7 @@ TEST(CriticalTilt, IsThatOfTheShapeAsDrawn) {
             moved += has_failed(block.movement) ? 1 : 0;
         }
         EXPECT_GT(moved, 0U) << "the mechanism of statics is shown";
+        EXPECT_LT(critical.failed->end->motion[1].x + critical.failed->end->motion[2].x, 0) << "it goes down the dip";
         // A single run agrees with the search.
         std::get<RelaxationPolygons>(study.model.scene).tilt = degrees(34.6) - turned;
         study.critical.reset();
