@@ -146,9 +146,9 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
 }
 
 // A search that ended at one of its bounds gives a bound of the output. At the critical value itself the blocks stand.
-// With several paths it is not known which of them ended there, with two limits not on which side they are.
+// With several paths it is not known which of them ended there, and of weights not on which side of them the limit is.
 std::vector<OutputBound> bounds_of(const CriticalPlan& plan, std::size_t output) {
-    if (plan.path.size() > 1 || plan.has_two_limits()) {
+    if (plan.path.size() > 1 || plan.parameter == CriticalParameter::weight) {
         return {};
     }
     const std::string_view stands = word_of(CriticalStatus::stands_everywhere);
