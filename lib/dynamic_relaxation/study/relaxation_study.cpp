@@ -146,7 +146,7 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
 }
 
 // A search that ended at one of its bounds gives a bound of the output. At the critical value itself the blocks stand.
-// With several paths it is not known which of them ended there, and of weights not on which side of them the limit is.
+// Several paths do not say which of them ended there, and a weight does not say on which side of it the limit lies.
 std::vector<OutputBound> bounds_of(const CriticalPlan& plan, std::size_t output) {
     if (plan.path.size() > 1 || plan.parameter == CriticalParameter::weight) {
         return {};

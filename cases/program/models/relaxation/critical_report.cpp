@@ -31,7 +31,7 @@ std::string bracket_in_words(double value, double other, Dimension dimension) {
     return in_digits(value, dimension, std::clamp(digits, fewest, most));
 }
 
-// The nearest values at which blocks were found to stand and to fail; without an answer an end may be the search's own.
+// The nearest values at which blocks were found to stand and to fail. Bounds of a search without an answer are none.
 struct KnownEnds {
     std::optional<double> stands;
     std::optional<double> fails;
