@@ -1,4 +1,4 @@
-// What is said of blocks that rest away from where they are drawn, and of searches that find only one end.
+// Blocks that rest away from where they are drawn have failed, and a search names only the ends that it found.
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/model_reports.hpp"

@@ -152,8 +152,8 @@ TEST(CriticalTilt, IsThatOfTheShapeAsDrawn) {
     }
 }
 
-// Where blocks are drawn apart, what comes to rest on a stop within the thresholds of onset stands. The gap of 0.1 mm
-// is closed for faces of metres, whatever pebble lies elsewhere.
+// A block that is drawn apart from a stop, and comes to rest on it within the thresholds of onset, stands. A gap of
+// 0.1 mm counts as closed between faces of metres, whatever pebble lies elsewhere.
 TEST(CriticalTilt, ABlockThatRestsOnAStopStands) {
     for (const double gap : {1e-4, 2e-3}) {
         RelaxationStudy study = on_a_floor({{{-2, 0}, {-gap, 0}, {-gap, 1}, {-2, 1}},

@@ -186,7 +186,7 @@ TEST(WeakestJoint, JointsOfSetsThatEndInsideRockCutABlockOut) {
     }
 }
 
-// Where two joints follow each other on one plane, each face has the friction of its own, wherever outlines begin.
+// Two joints that follow each other on one plane each keep their own friction, wherever outlines begin.
 TEST(WeakestJoint, APlaneOfTwoJointsHasTheStrengthOfEach) {
     const double tangent = std::tan(degrees(35));
     const auto factor = [&](std::vector<SlopeCut> cuts) {
