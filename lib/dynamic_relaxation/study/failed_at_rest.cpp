@@ -62,18 +62,60 @@ bool rests_beyond_onset(const Simulation& simulation, const std::vector<Motion>&
     return !balance || balance->unbalanced_ratio > settings.equilibrium_ratio || any_is_beyond(settled.state().motion);
 }
 
-// Whether blocks touch across joints that were open in the initial geometry.
-bool has_closed_joints(const Simulation& simulation) {
+// The scene in which blocks are fixed that have moved onto others across joints that were open in the initial geometry;
+// nothing if none has.
+std::optional<RelaxationScene> with_landed_blocks_fixed(const Simulation& simulation) {
     const Bodies& bodies = simulation.bodies();
-    const ContactList& list = simulation.state().contacts;
-    for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const RelaxationContact contact = list.contact[index];
+    const RelaxationState& state = simulation.state();
+    std::vector<char> landed(bodies.size(), 0);
+    for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
+        const RelaxationContact& contact = state.contacts.contact[index];
         const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
-        if (contact.gap > closed_joint * shortest && list.memory[index].touching) {
-            return true;
+        if (contact.gap <= closed_joint * shortest || !state.contacts.memory[index].touching) {
+            continue;
         }
+        // What another block lands on yields by far less than the opening that is closed.
+        const auto note = [&](std::size_t block, const PlanePoint<>& arm) {
+            constexpr double own_share = 0.1;
+            const Motion& motion = state.motion[block];
+            const PlanePoint<> moved = PlanePoint<>(motion.x, motion.y) + motion.turned_by(arm);
+            if (moved.norm() > own_share * contact.gap) {
+                landed[block] = 1;
+            }
+        };
+        note(contact.block, {contact.arm_x, contact.arm_y});
+        note(contact.other, {contact.other_arm_x, contact.other_arm_y});
     }
-    return false;
+    if (std::ranges::find(landed, 1) == landed.end()) {
+        return std::nullopt;
+    }
+    RelaxationScene held = simulation.scene();
+    for (std::size_t block = 0; block < landed.size(); ++block) {
+        held.block[block].fixed = held.block[block].fixed || landed[block] != 0;
+    }
+    return held;
+}
+
+// Moves the blocks of `state` as far along the mechanism as its thresholds of onset.
+void move_to_onset(const Bodies& bodies, const RelaxationSettings& settings, std::vector<Motion> mechanism,
+                   RelaxationState& state) {
+    state.motion = std::move(mechanism);
+    const MotionExtremes begun = farthest_motion(bodies, state);
+    const double share = std::max(begun.rotation / settings.onset_rotation, begun.displacement / settings.onset_slide);
+    for (Motion& motion : state.motion) {
+        motion.x /= share;
+        motion.y /= share;
+        motion.set_angle(motion.angle / share);
+    }
+    state.base_slip.assign(bodies.size(), 0);
+    state.dropped_slip.assign(bodies.size(), {});
+    for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
+        const RelaxationContact contact = state.contacts.contact[index];
+        ContactMemory memory = state.contacts.memory[index];
+        memory.slip =
+            memory.touching ? locate(contact, state.motion[contact.block], state.motion[contact.other]).slide : 0;
+        state.contacts.memory.set(index, memory);
+    }
 }
 
 // The state in which blocks have failed by statics, if it has to be asked and finds no forces that hold them.
@@ -94,22 +136,21 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     if (!open || settings.corners_bear) {
         return std::nullopt;
     }
-    std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene());
     const bool within_onset = moved.rotation < settings.onset_rotation && moved.displacement < settings.onset_slide;
-    const bool may_close_joints = contact == InitialContact::perhaps_none && within_onset;
-    if (!mechanism || ((mechanism->at_any_strength || may_close_joints) && has_closed_joints(simulation))) {
+    std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene());
+    std::optional<RelaxationScene> held;
+    if (mechanism && (mechanism->at_any_strength || (contact == InitialContact::perhaps_none && within_onset))) {
+        held = with_landed_blocks_fixed(simulation);
+        if (held) {
+            mechanism = mechanism_of_statics(*held);
+        }
+    }
+    if (!mechanism) {
         return std::nullopt;
     }
-    if (within_onset) {
-        state.motion = std::move(mechanism->motion);
-        const MotionExtremes begun = farthest_motion(bodies, state);
-        const double share =
-            std::max(begun.rotation / settings.onset_rotation, begun.displacement / settings.onset_slide);
-        for (Motion& motion : state.motion) {
-            motion.x /= share;
-            motion.y /= share;
-            motion.set_angle(motion.angle / share);
-        }
+    // Of the blocks that are at fault nothing is known if others have landed.
+    if (within_onset || held) {
+        move_to_onset(bodies, settings, std::move(mechanism->motion), state);
     }
     return state;
 }

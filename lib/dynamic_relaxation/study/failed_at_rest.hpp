@@ -16,11 +16,12 @@ enum class InitialContact { drawn, perhaps_none };
 //   `begun_at` or else the initial geometry. A static solve lets them creep as long as their balance improves, for
 //   instance until they lean on rock in front. This does not count where something carries them along;
 // - or statics finds no forces that hold them in the initial geometry (`mechanism_of_statics`): some find their balance
-//   in another shape, leaning on each other after a turn of a thousandth. What has come to rest on blocks that it did
-//   not touch at first does not count if no strength holds it as drawn, or if blocks may be drawn apart and it moved
-//   less than onset. Statics is asked if the run has no verdict or came to rest; of more than 2000 blocks only if they
-//   have moved by 0.002 radii or have bolts, of which a short one turns towards the direction of slip within
-//   millimetres, and would hold like a dowel. The state is that of its mechanism at onset if the blocks moved less.
+//   in another shape, leaning on each other after a turn of a thousandth. Where no strength holds them as drawn, or
+//   blocks may be drawn apart and moved less than onset, those count as fixed that have moved onto others across an
+//   open joint; the rest has to hold all the same. Statics is asked if the run has no verdict or came to rest; of more
+//   than 2000 blocks only if they have moved by 0.002 radii or have bolts, of which a short one turns towards the
+//   direction of slip within millimetres, and would hold like a dowel. The state is that of its mechanism at onset if
+//   the blocks moved less or some of them are fixed.
 // Onset counts as of when they began, so that blocks count as moving that have moved a tenth as far as the farthest.
 std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, InitialContact contact,
                                               const RelaxationState* begun_at = nullptr);

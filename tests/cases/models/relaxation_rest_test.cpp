@@ -45,10 +45,24 @@ TEST(RelaxationRest, InAnotherShapeIsFailure) {
     const Analysis fails = analysis_of_leaning(leaning_text);
     EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "outcome")), "equilibrium");
     EXPECT_EQ(std::get<double>(output_at_rest(fails, "onset_time")), 0);
-    EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "block[2].movement")), "moves") << "the mechanism of statics";
+    EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "block[2].movement")), "slides_forward") << "the mechanism";
     // Energies are those at rest, not those of the mechanism.
     EXPECT_NEAR(std::get<double>(output_at_rest(fails, "energy.residual_share")), 0, 1e-6);
     const Analysis stands = analysis_of_leaning(changed(leaning_text, "43.9 deg", "43.4 deg"));
+    EXPECT_EQ(std::get<std::string>(output_at_rest(stands, "block[2].movement")), "stays");
+}
+
+// What has landed elsewhere is judged where it lies, and excuses nothing beside it.
+TEST(RelaxationRest, APebbleThatLandsExcusesNothing) {
+    const std::string with_pebble = std::string(leaning_text) + R"([[scene.block]]
+density = "2500 kg/m3"
+vertex = [{ x = "-4 m", y = "0.002 m" }, { x = "-3.8 m", y = "0.002 m" }, { x = "-3.8 m", y = "0.2 m" }, { x = "-4 m", y = "0.2 m" }]
+)";
+    const Analysis fails = analysis_of_leaning(with_pebble);
+    EXPECT_EQ(std::get<double>(output_at_rest(fails, "onset_time")), 0);
+    EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "block[2].movement")), "slides_forward");
+    EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "block[4].movement")), "stays") << "the pebble";
+    const Analysis stands = analysis_of_leaning(changed(with_pebble, "43.9 deg", "43.4 deg"));
     EXPECT_EQ(std::get<std::string>(output_at_rest(stands, "block[2].movement")), "stays");
 }
 
