@@ -11,7 +11,7 @@ std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, st
     if (bodies.along[edge].dot(along) >= 0) {
         return {};
     }
-    const double tolerance = closed_joint * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
+    const double tolerance = opening_of_closed_joint(bodies, block, other);
     const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
     const auto from_start = [&](std::size_t corner) -> PlanePoint<> {
         return between + (bodies.corner[corner] - bodies.corner[other_edge]);
@@ -42,7 +42,9 @@ std::vector<BlockPair> touching_blocks(const Bodies& bodies) {
     const std::vector<char> none_removed(bodies.size(), 0);
     // The sum of both is at least the opening of a closed joint.
     std::vector<double> reach(bodies.size());
-    std::ranges::transform(bodies.shortest_edge, reach.begin(), [](double edge) { return closed_joint * edge / 2; });
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        reach[block] = opening_of_closed_joint(bodies, block, block) / 2;
+    }
     return neighbouring_blocks(bodies, unmoved, none_removed, reach);
 }
 

@@ -4,6 +4,7 @@
 #include "dynamic_relaxation/blocks/bodies.hpp"
 #include "dynamic_relaxation/blocks/neighbours.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -22,9 +23,12 @@ struct SharedFace {
     double length;           // m
 };
 
-// A joint counts as closed if it is open by less than this in the initial geometry, in shortest edges of its two
-// blocks.
+// A joint of two blocks counts as closed if it is open by less than this in the initial geometry: in shortest edges of
+// the two, and in m.
 inline constexpr double closed_joint = 1e-3;
+inline double opening_of_closed_joint(const Bodies& bodies, std::size_t block, std::size_t other) {
+    return closed_joint * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
+}
 
 // The face that two edges share if they face each other, lie on one line within the opening of a closed joint, and
 // share a length greater than that; empty otherwise.

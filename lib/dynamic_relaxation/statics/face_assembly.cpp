@@ -115,7 +115,7 @@ double half_of_point(const Bodies& bodies, std::size_t block, std::size_t other)
 void add_tips(const BlocksUnderLoad& blocks, std::size_t block, std::size_t other, const std::vector<std::size_t>& body,
               Assembly& assembly) {
     const Bodies& bodies = blocks.bodies;
-    const double tolerance = closed_joint * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
+    const double tolerance = opening_of_closed_joint(bodies, block, other);
     const auto friction_on = [&](std::size_t edge) {
         return blocks.scene.material[bodies.material[edge]].friction_angle;
     };

@@ -15,15 +15,16 @@ struct Shift {
     double displacement;
 };
 
-Shift shift_of(const Bodies& bodies, const RelaxationState& state, std::size_t block) {
-    const Motion& now = state.motion[block];
-    const Motion& then = state.origin[block];
+Shift shift_of(const Bodies& bodies, const std::vector<Motion>& motion, const std::vector<Motion>& origin,
+               std::size_t block) {
+    const Motion& now = motion[block];
+    const Motion& then = origin[block];
     const PlanePoint<> change(now.x - then.x, now.y - then.y);
     if (!bodies.moved_base) {
         return {now.angle - then.angle, change.norm()};
     }
-    const Motion& base_now = state.motion[*bodies.moved_base];
-    const Motion& base_then = state.origin[*bodies.moved_base];
+    const Motion& base_now = motion[*bodies.moved_base];
+    const Motion& base_then = origin[*bodies.moved_base];
     Motion turn;
     turn.set_angle(base_now.angle - base_then.angle);
     const PlanePoint<> arm = bodies.centroid[block] - bodies.centroid[*bodies.moved_base] +
@@ -42,9 +43,7 @@ Thresholds thresholds_of(const Bodies& bodies, const RelaxationState& state, con
     constexpr double share_of_farthest = 0.1;
     double share = 1;
     if (state.onset_time >= 0) {
-        const MotionExtremes farthest = farthest_motion(bodies, state);
-        share = std::clamp(share_of_farthest * std::max(farthest.rotation / settings.onset_rotation,
-                                                        farthest.displacement / settings.onset_slide),
+        share = std::clamp(share_of_farthest * farthest_motion(bodies, state, state.origin).in_thresholds(settings),
                            share_of_farthest, 1.0);
     }
     return {share * settings.onset_rotation, share * settings.onset_slide};
@@ -89,11 +88,11 @@ void for_each_base_contact(const Bodies& bodies, const RelaxationState& state, c
 
 }  // namespace
 
-MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& state) {
+MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& state, const std::vector<Motion>& origin) {
     MotionExtremes farthest;
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         if (bodies.fixed[block] == 0 && state.removed[block] == 0) {
-            const Shift shift = shift_of(bodies, state, block);
+            const Shift shift = shift_of(bodies, state.motion, origin, block);
             farthest.rotation = std::max(farthest.rotation, std::abs(shift.rotation));
             farthest.displacement = std::max(farthest.displacement, shift.displacement / bodies.radius[block]);
         }
@@ -140,7 +139,7 @@ std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const PlanePoint<
     std::vector<BlockOutcome> outcomes(bodies.size());
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         BlockOutcome& outcome = outcomes[block];
-        const Shift shift = shift_of(bodies, state, block);
+        const Shift shift = shift_of(bodies, state.motion, state.origin, block);
         outcome.rotation = shift.rotation;
         outcome.displacement = shift.displacement;
         outcome.base_slip = state.base_slip[block] + since[block].slip;

@@ -5,6 +5,7 @@
 #include "dynamic_relaxation/scene/settings.hpp"
 #include "dynamic_relaxation/step/state.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -116,19 +117,28 @@ struct RelaxationResult {
     RelaxationCost cost = {};
     std::vector<BlockOutcome> block = {};
     std::vector<BoltOutcome> bolt = {};
+
+    // The blocks rest, but not as drawn, or no forces hold them there (failed_at_rest.hpp).
+    bool failed_at_rest() const { return onset_time == 0.0; }
 };
 
-// Extremes over all free blocks since the start; if all fixed blocks move as one, relative to them.
+// Extremes over all free blocks; if all fixed blocks move as one, relative to them.
 struct MotionExtremes {
     double rotation = 0;      // rad
     double displacement = 0;  // of the centroid, in radii of the block
+
+    // More than 1: beyond the thresholds of onset.
+    double in_thresholds(const RelaxationSettings& settings) const {
+        return std::max(rotation / settings.onset_rotation, displacement / settings.onset_slide);
+    }
 };
 
 // Motion of so many thresholds of onset is failure, even if it slows down. Blocks that have been pushed, or that jam
 // only after they have leaned, may pass a single threshold and come to rest.
 inline constexpr double far_beyond_onset = 2;
 
-MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& state);
+// Since all blocks were at `origin`.
+MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& state, const std::vector<Motion>& origin);
 
 // Records the slip of a contact over an upward fixed face for its free block, if it has precedence over the recorded
 // one. `up`: a unit vector against gravity.

@@ -59,14 +59,13 @@ void Simulation::decide() {
     };
     std::optional<bool> by_faces;
     const auto faces_hold = [&] { return by_faces ? *by_faces : by_faces.emplace(held_by_faces()); };
-    const MotionExtremes farthest = farthest_motion(bodies_, state_);
+    const MotionExtremes farthest = farthest_motion(bodies_, state_, state_.origin);
     const auto decide = [&](RelaxationOutcome outcome) { state_.outcome = static_cast<std::uint64_t>(outcome); };
     if (!std::isfinite(kinetic)) {
         decide(RelaxationOutcome::motion_not_finite);
         return;
     }
-    const double in_thresholds =
-        std::max(farthest.rotation / settings_.onset_rotation, farthest.displacement / settings_.onset_slide);
+    const double in_thresholds = farthest.in_thresholds(settings_);
     if (in_thresholds > 1 && state_.onset_time < 0) {
         state_.onset_time = state_.time;
     }
@@ -201,10 +200,8 @@ bool Simulation::moves_without_corners(bool forces_exist) {
         }
     }
     const auto outcome = static_cast<RelaxationOutcome>(from.at_rest.outcome);
-    const MotionExtremes farthest = farthest_motion(bodies_, from.at_rest);
-    const double in_thresholds =
-        std::max(farthest.rotation / settings_.onset_rotation, farthest.displacement / settings_.onset_slide);
-    if (outcome == RelaxationOutcome::equilibrium || in_thresholds < well_on_their_way) {
+    const MotionExtremes farthest = farthest_motion(bodies_, from.at_rest, from.at_rest.origin);
+    if (outcome == RelaxationOutcome::equilibrium || farthest.in_thresholds(settings_) < well_on_their_way) {
         return false;
     }
     constexpr double moves = 0.1;  // of the greatest displacement

@@ -27,12 +27,6 @@ BondMemory with_no_energy_yet(BondMemory memory) {
     return memory;
 }
 
-bool is_near_initial_geometry(const Bodies& bodies, RelaxationState state, const RelaxationSettings& settings) {
-    state.origin.assign(bodies.size(), {});
-    const MotionExtremes moved = farthest_motion(bodies, state);
-    return moved.rotation < settings.onset_rotation && moved.displacement < settings.onset_slide;
-}
-
 }  // namespace
 
 RelaxationState Simulation::begun_at(const RelaxationState& at_rest) {
@@ -113,7 +107,8 @@ void Simulation::start_in_equilibrium_with_bolts(JointsAtStart joints) {
         scene_.bolt, [](const BoltSegment& segment) { return segment.pretension < segment.capacity; });
     std::optional<RelaxationState> before = may_pull_more ? std::optional(state_) : std::nullopt;
     const bool balanced = start_in_equilibrium(joints, BoltsAtStart::pulling);
-    if (!before || (balanced && is_near_initial_geometry(bodies_, state_, settings_))) {
+    const std::vector<Motion> unmoved(bodies_.size());
+    if (!before || (balanced && farthest_motion(bodies_, state_, unmoved).in_thresholds(settings_) < 1)) {
         put_in_bolts(scene_, bodies_, state_);
         return;
     }

@@ -70,8 +70,8 @@ std::optional<RelaxationScene> with_landed_blocks_fixed(const Simulation& simula
     std::vector<char> landed(bodies.size(), 0);
     for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
         const RelaxationContact& contact = state.contacts.contact[index];
-        const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
-        if (contact.gap <= closed_joint * shortest || !state.contacts.memory[index].touching) {
+        if (contact.gap <= opening_of_closed_joint(bodies, contact.block, contact.other) ||
+            !state.contacts.memory[index].touching) {
             continue;
         }
         // What another block lands on yields by far less than the opening that is closed.
@@ -100,8 +100,7 @@ std::optional<RelaxationScene> with_landed_blocks_fixed(const Simulation& simula
 void move_to_onset(const Bodies& bodies, const RelaxationSettings& settings, std::vector<Motion> mechanism,
                    RelaxationState& state) {
     state.motion = std::move(mechanism);
-    const MotionExtremes begun = farthest_motion(bodies, state);
-    const double share = std::max(begun.rotation / settings.onset_rotation, begun.displacement / settings.onset_slide);
+    const double share = farthest_motion(bodies, state, state.origin).in_thresholds(settings);
     for (Motion& motion : state.motion) {
         motion.x /= share;
         motion.y /= share;
@@ -123,8 +122,8 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     const RelaxationOutcome outcome = simulation.outcome();
     const RelaxationSettings& settings = simulation.settings();
     const Bodies& bodies = simulation.bodies();
-    RelaxationState state = since(simulation.state(), std::vector<Motion>(bodies.size()));
-    const MotionExtremes moved = farthest_motion(bodies, state);
+    const std::vector<Motion> unmoved(bodies.size());
+    const MotionExtremes moved = farthest_motion(bodies, simulation.state(), unmoved);
     bool open = outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
                 outcome == RelaxationOutcome::energy_not_balanced;
     if (outcome == RelaxationOutcome::equilibrium) {
@@ -136,7 +135,7 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     if (!open || settings.corners_bear) {
         return std::nullopt;
     }
-    const bool within_onset = moved.rotation < settings.onset_rotation && moved.displacement < settings.onset_slide;
+    const bool within_onset = moved.in_thresholds(settings) < 1;
     std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene());
     std::optional<RelaxationScene> held;
     if (mechanism && (mechanism->at_any_strength || (contact == InitialContact::perhaps_none && within_onset))) {
@@ -148,6 +147,7 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     if (!mechanism) {
         return std::nullopt;
     }
+    RelaxationState state = since(simulation.state(), unmoved);
     // Of the blocks that are at fault nothing is known if others have landed.
     if (within_onset || held) {
         move_to_onset(bodies, settings, std::move(mechanism->motion), state);

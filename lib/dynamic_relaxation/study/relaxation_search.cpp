@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -81,10 +82,8 @@ class PathSearch {
         PathValue value;
         value.path = path_;
         double should_stand = plan_.should_stand();
-        std::optional<CriticalProbe> rested;
         if (path_ == LoadingPath::consolidated) {
-            rested = consolidate(value);
-            if (!rested) {
+            if (!consolidate(value)) {
                 take_up_failed(value);
                 return value;
             }
@@ -92,7 +91,8 @@ class PathSearch {
             should_stand = at >= plan_.lower && at <= plan_.upper ? at : should_stand;
         }
         const auto probe = [&](double at) {
-            return rested && at == *value.consolidated_at ? *rested : probe_at(at, Begin::from_consolidated);
+            const auto [known, is_new] = known_.try_emplace(at);
+            return is_new ? known->second = probe_at(at, Begin::from_consolidated) : known->second;
         };
         const auto search = [&](double from, double to) {
             return find_critical(probe, from, to, plan_.tolerance,
@@ -178,13 +178,14 @@ class PathSearch {
         return values;
     }
 
-    // Returns nothing, and sets the status, if the blocks come to rest at none of these.
-    std::optional<CriticalProbe> consolidate(PathValue& value) {
+    // Returns false, and sets the status, if the blocks come to rest at none of these.
+    bool consolidate(PathValue& value) {
         for (const double at : consolidation_values()) {
             const CriticalProbe probe = probe_at(at, Begin::at_start);
             if (probe.outcome == RelaxationOutcome::equilibrium) {
                 value.consolidated_at = at;
-                return probe;
+                known_.emplace(at, probe);
+                return true;
             }
             const CriticalValue tried = find_critical([&](double) { return probe; }, at, at, plan_.tolerance);
             value.status = tried.status;
@@ -195,7 +196,7 @@ class PathSearch {
                 break;
             }
         }
-        return std::nullopt;
+        return false;
     }
 
     CriticalProbe probe_at(double value, Begin begin) {
@@ -294,6 +295,7 @@ class PathSearch {
     RelaxationSettings settings_;
     std::function<bool(double)> watch_ = {};
     std::size_t runs_ = 0;
+    std::map<double, CriticalProbe> known_ = {};  // from the consolidated state
 };
 
 }  // namespace

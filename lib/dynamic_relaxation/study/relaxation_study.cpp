@@ -170,8 +170,7 @@ std::vector<char> removed_in(const MotionFrame& frame) {
 }
 
 void find_early_failure(const RelaxationStudy& study, const std::vector<MotionFrame>& frames, RelaxationRun& made) {
-    const bool failed_at_rest = made.result.onset_time == 0.0;  // the frames show nothing of it
-    if (!made.post_failure || frames.empty() || failed_at_rest) {
+    if (!made.post_failure || frames.empty() || made.result.failed_at_rest()) {  // of which frames show nothing
         return;
     }
     const auto at = [&](const MotionFrame& frame) {

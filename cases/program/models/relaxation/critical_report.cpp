@@ -232,9 +232,9 @@ std::string end_in_words(const RelaxationRun& made) {
     }
     switch (result.outcome) {
     case RelaxationOutcome::equilibrium:
-        return !result.onset_time       ? "Stands: at rest" + after + "."
-               : *result.onset_time > 0 ? "Failed, and came to rest: " + area + " had moved" + after + "."
-                                        : "Fails: at rest" + after + ", but not as drawn: " + area + " begin to move.";
+        return result.failed_at_rest() ? "Fails: at rest" + after + ", but not as drawn: " + area + " begin to move."
+               : result.onset_time     ? "Failed, and came to rest: " + area + " had moved" + after + "."
+                                       : "Stands: at rest" + after + ".";
     case RelaxationOutcome::held_by_corners:
         return "Held by corners alone: at rest" + after + ", but without corners on corners blocks would move.";
     case RelaxationOutcome::onset:
@@ -319,7 +319,7 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
         return head;
     }
     HeadCard head{tone_of(made), {end_in_words(made)}, {}};
-    if (result.onset_time == 0.0) {
+    if (result.failed_at_rest()) {
         head.sentences.emplace_back(
             "No forces on their faces hold the blocks where they are drawn, or they moved beyond the thresholds of "
             "failure before they rested.");

@@ -9,6 +9,7 @@
 #include "cases/program/terminal/interrupt.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
+#include "dynamic_relaxation/study/study_run.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/atomic_file.hpp"
 #include "plots/drawing/text.hpp"
@@ -241,26 +242,25 @@ constexpr std::string_view corners_hold =
     "see them move, or set settings.corners_bear = \"on\" to count on corners";
 
 // The bound applies only if the strength of all joints is reduced equally.
-std::optional<double> bound_of_statics(const BlockScene& made_of, const CriticalPlan& plan,
+std::optional<double> bound_of_statics(const RelaxationStudy& study, const CriticalPlan& plan,
                                        const RelaxationScene& scene) {
     if (plan.parameter != CriticalParameter::strength_reduction || !is_small_enough(scene) ||
-        materials_of_joints(made_of, scene, plan.joint).size() < scene.material.size()) {
+        materials_of_joints(study.model.scene, scene, plan.joint).size() < scene.material.size()) {
         return std::nullopt;
     }
     const std::optional<double> bound = greatest_strength_reduction(scene, &interrupt_flag());
     answer_interrupt();
-    const bool may_be_apart = std::holds_alternative<RelaxationPolygons>(made_of);
-    return may_be_apart && bound == 0.0 ? std::nullopt : bound;  // no strength holds what touches nothing as drawn
+    // No strength holds what touches nothing as drawn.
+    return initial_contact(study) == InitialContact::perhaps_none && bound == 0.0 ? std::nullopt : bound;
 }
 
-void append_bound_of_statics(const BlockScene& made_of, double bound, const CriticalAnswer& critical,
-                             Analysis& analysis) {
+void append_bound_of_statics(InitialContact contact, double bound, const CriticalAnswer& critical, Analysis& analysis) {
     analysis.outputs.push_back({"critical.bound_of_statics",
                                 "greatest factor at which faces can take forces in equilibrium, on whatever path",
                                 Dimension::ratio, bound, false});
     constexpr double model_error = 0.01;  // blocks rotate and joints deform before they fail
     if (critical.status == CriticalStatus::found && critical.value() > (1 + model_error) * bound) {
-        const bool may_be_apart = std::holds_alternative<RelaxationPolygons>(made_of);
+        const bool may_be_apart = contact == InitialContact::perhaps_none;
         analysis.warnings.push_back("beyond a factor of " + number_in_words(bound) + " the blocks rest " +
                                     (may_be_apart ? "on blocks that they did not touch as drawn, or " : std::string()) +
                                     std::string(corners_hold));
@@ -330,7 +330,7 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
         answer.plan = critical_plan(study);
         answer.critical = find_critical(study, how, progress);
         answer.other_path = try_other_path(study, *answer.critical, [&](double) { return how.watch(1); });
-        answer.bound_of_statics = bound_of_statics(study.model.scene, *answer.plan, answer.run.scene);
+        answer.bound_of_statics = bound_of_statics(study, *answer.plan, answer.run.scene);
     }
     const bool has_answer = outcome != RelaxationOutcome::interrupted && run_in_words(answer.run).empty() &&
                             (!answer.critical || answer.critical->worst_status() == CriticalStatus::found);
@@ -371,7 +371,7 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
     if (answer.critical) {
         append_critical(analysis, *answer.plan, *answer.critical, answer.other_path);
         if (answer.bound_of_statics) {
-            append_bound_of_statics(study.model.scene, *answer.bound_of_statics, *answer.critical, analysis);
+            append_bound_of_statics(initial_contact(study), *answer.bound_of_statics, *answer.critical, analysis);
         }
         leave_unfinished(word_of(answer.critical->worst_status()), search_in_words(*answer.plan, *answer.critical));
     }
