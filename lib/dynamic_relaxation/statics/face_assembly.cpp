@@ -16,6 +16,7 @@ struct FaceStrength {
     double friction_angle;
     double cohesion;
     double tensile_strength;
+    bool bears_compression = true;
 };
 
 using BlockPairs = std::set<std::pair<std::size_t, std::size_t>>;  // the lesser number first
@@ -96,9 +97,10 @@ void add_face(std::size_t block, std::size_t other, const PlanePoint<>& middle, 
         return;
     }
     const PlanePoint<> to_start = block != held ? half : PlanePoint<>(-half);
-    assembly.contacts.push_back(
-        {block != held ? block : other, block != held && other != held ? std::optional(other) : std::nullopt,
-         middle + to_start, middle - to_start, strength.friction_angle, strength.cohesion, strength.tensile_strength});
+    assembly.contacts.push_back({block != held ? block : other,
+                                 block != held && other != held ? std::optional(other) : std::nullopt,
+                                 middle + to_start, middle - to_start, strength.friction_angle, strength.cohesion,
+                                 strength.tensile_strength, strength.bears_compression});
 }
 
 // Whether a corner bears on its edge and not on a corner of it.
@@ -226,7 +228,7 @@ void add_bolts(const BlocksUnderLoad& blocks, FaceAssembly& made) {
         const double half = half_of_point(blocks.bodies, bolt.block, bolt.other);
         const PlanePoint<> along = (bolt.other_at - bolt.at).normalized();
         add_face(body[bolt.block], body[bolt.other], bolt.at, half * PlanePoint<>(along.y(), -along.x()),
-                 {0, 0, bolt.capacity / (2 * half)}, made.assembly);
+                 {0, 0, bolt.capacity / (2 * half), false}, made.assembly);
     }
 }
 

@@ -52,8 +52,7 @@ void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list
 // between its ends, where the two share no face.
 void add_tips_on_edges(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces, FaceAssembly& made);
 
-// Adds bolts that bear any tension up to their capacity along their initial axis, wherever it acts on it. The programme
-// lets them bear compression, too: right for an upper bound of what can be carried.
+// Adds bolts that bear any tension up to their capacity, and no compression, along their initial axis.
 void add_bolts(const BlocksUnderLoad& blocks, FaceAssembly& made);
 
 }  // namespace delabole

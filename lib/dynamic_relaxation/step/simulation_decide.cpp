@@ -139,7 +139,8 @@ bool Simulation::corners_may_bear() const {
 
 // Whether the faces alone hold the blocks in their present positions and under the present loads, or corners may bear;
 // records the blocks that would move. After onset only touching contacts count; before it, the faces of the initial
-// geometry do, because a minute rotation opens one end of them or the other. Forces of faces that suffice are no proof,
+// geometry do, because a minute rotation opens one end of them or the other, and bolts bear up to their capacity, of
+// which little is needed as long as corners bear. Forces of faces that suffice are no proof,
 // because friction does not dilate as the linear programme supposes: the blocks have to stay when the corners give way,
 // too. Cases that the programme cannot solve are left to that trial, or held by corners if none gives way in it.
 bool Simulation::held_by_faces() {
@@ -147,14 +148,19 @@ bool Simulation::held_by_faces() {
         !relies_on_corners({bodies_, state_.motion}, weights(), state_.contacts)) {
         return true;
     }
-    std::vector<SharedFace> faces;
-    if (state_.onset_time < 0) {
-        faces = find_shared_faces(bodies_);
+    const bool before_onset = state_.onset_time < 0;
+    const std::vector<SharedFace> faces = before_onset ? find_shared_faces(bodies_) : std::vector<SharedFace>();
+    std::vector<BlockForce> load = load_;
+    if (before_onset && !scene_.bolt.empty()) {
+        sum_loads(scene_, settings_, bodies_, state_.time, held_, state_.motion, load);
     }
-    const BlocksUnderLoad blocks{scene_, bodies_, held_, state_.removed, state_.motion, load_};
+    const BlocksUnderLoad blocks{scene_, bodies_, held_, state_.removed, state_.motion, load};
     const JointHistory history{state_.bond, state_.contacts};
     FaceAssembly made = face_assembly(blocks, faces, &history);
     add_corners_on_edges(blocks, state_.contacts, made);
+    if (before_onset) {
+        add_bolts(blocks, made);
+    }
     const LeastImbalance found = least_imbalance(made.assembly);
     if (found.status != LpStatus::optimal || found.stands()) {
         return !moves_without_corners(found.status == LpStatus::optimal);

@@ -31,7 +31,9 @@ std::optional<CriticalStatus> no_answer(RelaxationOutcome outcome) {
     return CriticalStatus::not_valid;
 }
 
+// Of a ratio, or of the way of an angle from the bound at which the blocks should stand.
 constexpr std::array less_demanding_shares = {0.98, 0.96, 0.93, 0.9};
+constexpr std::array shares_of_angle = {0.9, 0.8, 0.7, 0.5};
 
 class Bisection {
   public:
@@ -59,7 +61,9 @@ class Bisection {
             critical_.status = CriticalStatus::stands_everywhere;
             return critical_;
         }
-        while (bisect() && mean_ == BracketMean::geometric && rested_in_motion_ && fails_where_less_is_demanded()) {
+        // Blocks that fall before they rest pass the threshold of onset at one angle, and just not at the next.
+        const auto may_fail_before = [&] { return rested_in_motion_ == (mean_ == BracketMean::geometric); };
+        while (bisect() && may_fail_before() && fails_where_less_is_demanded()) {
         }
         return critical_;
     }
@@ -111,8 +115,10 @@ class Bisection {
     bool fails_where_less_is_demanded() {
         const double should_stand = stood_.front();
         const double found = critical_.stands;
-        for (const double share : less_demanding_shares) {
-            const double value = stands_low_ ? found * share : found / share;
+        for (const double share : mean_ == BracketMean::geometric ? less_demanding_shares : shares_of_angle) {
+            const double value = mean_ == BracketMean::arithmetic ? should_stand + share * (found - should_stand)
+                                 : stands_low_                    ? found * share
+                                                                  : found / share;
             if (!demands_less(should_stand, value)) {
                 break;
             }

@@ -3,10 +3,11 @@
 // The answer is a bracket: the blocks stand at one end and fail at the other. Its width is the resolution, not the
 // accuracy: stiffness shifts the answer (simulation.hpp). Blocks that came to rest only after they had moved may stand
 // at one value and fail at a less demanding one; bisection sees one such change. Where the blocks at the ratio found
-// came to rest in motion, values less demanding by 2 to 10 % are tried as well, and the answer is the least demanding
-// at which they were found to fail. Blocks that rest beyond the threshold of onset from where a run began have failed.
-// Those that rest, or whose run has no verdict, fail if statics finds no forces that hold them in the initial geometry
-// (failed_at_rest.hpp).
+// came to rest in motion, values less demanding by 2 to 10 % are tried as well, and where they rest without motion at
+// the angle found, four on its way from the bound at which the blocks should stand: the answer is the least demanding
+// at which they were found to fail.
+// Blocks that rest beyond the threshold of onset from where a run began have failed. Those that rest, or whose run has
+// no verdict, fail if statics finds no forces that hold them in the initial geometry (failed_at_rest.hpp).
 #pragma once
 
 #include "dynamic_relaxation/step/outcome.hpp"

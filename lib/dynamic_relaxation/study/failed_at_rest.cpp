@@ -62,9 +62,8 @@ bool rests_beyond_onset(const Simulation& simulation, const std::vector<Motion>&
     return !balance || balance->unbalanced_ratio > settings.equilibrium_ratio || any_is_beyond(settled.state().motion);
 }
 
-// The scene in which blocks are fixed that have moved onto others across joints that were open in the initial geometry;
-// nothing if none has.
-std::optional<RelaxationScene> with_landed_blocks_fixed(const Simulation& simulation) {
+// Tells the blocks that have moved onto others across joints that were open in the initial geometry.
+std::vector<char> landed_blocks(const Simulation& simulation) {
     const Bodies& bodies = simulation.bodies();
     const RelaxationState& state = simulation.state();
     std::vector<char> landed(bodies.size(), 0);
@@ -86,14 +85,11 @@ std::optional<RelaxationScene> with_landed_blocks_fixed(const Simulation& simula
         note(contact.block, {contact.arm_x, contact.arm_y});
         note(contact.other, {contact.other_arm_x, contact.other_arm_y});
     }
-    if (std::ranges::find(landed, 1) == landed.end()) {
-        return std::nullopt;
-    }
-    RelaxationScene held = simulation.scene();
-    for (std::size_t block = 0; block < landed.size(); ++block) {
-        held.block[block].fixed = held.block[block].fixed || landed[block] != 0;
-    }
-    return held;
+    return landed;
+}
+
+bool any_of(const std::vector<char>& landed) {
+    return std::ranges::find(landed, 1) != landed.end();
 }
 
 // Moves the blocks of `state` as far along the mechanism as its thresholds of onset.
@@ -137,11 +133,16 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     }
     const bool within_onset = moved.in_thresholds(settings) < 1;
     std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene());
-    std::optional<RelaxationScene> held;
+    bool some_landed = false;
     if (mechanism && (mechanism->at_any_strength || (contact == InitialContact::perhaps_none && within_onset))) {
-        held = with_landed_blocks_fixed(simulation);
-        if (held) {
-            mechanism = mechanism_of_statics(*held);
+        const std::vector<char> landed = landed_blocks(simulation);
+        some_landed = any_of(landed);
+        if (some_landed) {
+            RelaxationScene held = simulation.scene();
+            for (std::size_t block = 0; block < landed.size(); ++block) {
+                held.block[block].fixed = held.block[block].fixed || landed[block] != 0;
+            }
+            mechanism = mechanism_of_statics(held);
         }
     }
     if (!mechanism) {
@@ -149,7 +150,7 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     }
     RelaxationState state = since(simulation.state(), unmoved);
     // Of the blocks that are at fault nothing is known if others have landed.
-    if (within_onset || held) {
+    if (within_onset || some_landed) {
         move_to_onset(bodies, settings, std::move(mechanism->motion), state);
     }
     return state;
@@ -162,7 +163,9 @@ std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, Init
     const std::vector<Motion> unmoved(simulation.bodies().size());
     const std::vector<Motion>& start = begun_at != nullptr ? begun_at->motion : unmoved;
     std::optional<RelaxationState> failed;
-    if ((begun_at != nullptr || contact == InitialContact::drawn) && rests_beyond_onset(simulation, start, begun_at)) {
+    const bool begun_in_contact =
+        begun_at != nullptr || contact == InitialContact::drawn || !any_of(landed_blocks(simulation));
+    if (begun_in_contact && rests_beyond_onset(simulation, start, begun_at)) {
         failed = since(simulation.state(), start);
     } else {
         failed = failed_by_statics(simulation, contact);

@@ -14,7 +14,8 @@ enum class InitialContact { drawn, perhaps_none };
 // has failed by itself. They have failed if
 // - they rest beyond the threshold of onset, in rotation far beyond, from where they began: the state at rest
 //   `begun_at` or else the initial geometry. A static solve lets them creep as long as their balance improves, for
-//   instance until they lean on rock in front. This does not count where something carries them along;
+//   instance until they lean on rock in front. This does not count where something carries them along, nor where blocks
+//   that may be drawn apart have moved onto each other;
 // - or statics finds no forces that hold them in the initial geometry (`mechanism_of_statics`): some find their balance
 //   in another shape, leaning on each other after a turn of a thousandth. Where no strength holds them as drawn, or
 //   blocks may be drawn apart and moved less than onset, those count as fixed that have moved onto others across an

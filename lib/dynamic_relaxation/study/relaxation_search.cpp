@@ -91,8 +91,14 @@ class PathSearch {
             should_stand = at >= plan_.lower && at <= plan_.upper ? at : should_stand;
         }
         const auto probe = [&](double at) {
-            const auto [known, is_new] = known_.try_emplace(at);
-            return is_new ? known->second = probe_at(at, Begin::from_consolidated) : known->second;
+            if (const auto known = standing_.find(at); known != standing_.end()) {
+                return known->second;
+            }
+            const CriticalProbe made = probe_at(at, Begin::from_consolidated);
+            if (made.outcome == RelaxationOutcome::equilibrium) {
+                standing_.emplace(at, made);
+            }
+            return made;
         };
         const auto search = [&](double from, double to) {
             return find_critical(probe, from, to, plan_.tolerance,
@@ -103,6 +109,11 @@ class PathSearch {
         found = search(should_stand, should_fail);
         if (plan_.has_two_limits() && found.status == CriticalStatus::fails_everywhere) {
             found = search(should_fail, should_stand);
+            const std::vector<double> between = values_between();
+            for (auto at = between.begin(); at != between.end() && found.status == CriticalStatus::fails_everywhere;
+                 ++at) {
+                found = search(*at, should_fail);
+            }
         } else if (plan_.has_two_limits() && found.status == CriticalStatus::stands_everywhere &&
                    should_stand != plan_.should_stand()) {
             const CriticalValue other = search(should_stand, plan_.should_stand());
@@ -174,6 +185,26 @@ class PathSearch {
         }
         if (plan_.has_two_limits()) {
             values.push_back(plan_.upper);
+            const std::vector<double> between = values_between();
+            values.insert(values.end(), between.begin(), between.end());
+        }
+        return values;
+    }
+
+    // Where blocks may stand that fail at both bounds, in the order in which it is tried.
+    std::vector<double> values_between() const {
+        std::vector<double> values;
+        if (plan_.is_ratio()) {
+            for (double ratio = own_ratio; ratio < plan_.upper; ratio *= 2) {
+                values.push_back(ratio);
+            }
+        } else {
+            if (const double own = scene_.gravity.tilt; own > plan_.lower && own < plan_.upper) {
+                values.push_back(own);
+            }
+            for (const double share : {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875}) {
+                values.push_back(plan_.lower + share * (plan_.upper - plan_.lower));
+            }
         }
         return values;
     }
@@ -184,7 +215,7 @@ class PathSearch {
             const CriticalProbe probe = probe_at(at, Begin::at_start);
             if (probe.outcome == RelaxationOutcome::equilibrium) {
                 value.consolidated_at = at;
-                known_.emplace(at, probe);
+                standing_.emplace(at, probe);
                 return true;
             }
             const CriticalValue tried = find_critical([&](double) { return probe; }, at, at, plan_.tolerance);
@@ -295,7 +326,7 @@ class PathSearch {
     RelaxationSettings settings_;
     std::function<bool(double)> watch_ = {};
     std::size_t runs_ = 0;
-    std::map<double, CriticalProbe> known_ = {};  // from the consolidated state
+    std::map<double, CriticalProbe> standing_ = {};  // the probes of this search that stood
 };
 
 }  // namespace

@@ -45,8 +45,9 @@ struct Contact {
     Point start;
     Point end;
     double friction_angle;
-    double cohesion;              // Pa, over the whole face; it resists shear, not opening
-    double tensile_strength = 0;  // Pa; half of the face's at each end
+    double cohesion;                // Pa, over the whole face; it resists shear, not opening
+    double tensile_strength = 0;    // Pa; half of the face's at each end
+    bool bears_compression = true;  // and friction, which without it is as of no angle
 
     double length() const { return (end - start).norm(); }
     Point along() const { return (end - start) / length(); }

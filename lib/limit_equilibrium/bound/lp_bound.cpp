@@ -239,7 +239,7 @@ class Programme {
             for (const Point& point : {contact.start, contact.end}) {
                 for (const double sign : {1.0, -1.0}) {
                     const int column = glp_add_cols(problem_.get(), 1);
-                    glp_set_col_bnds(problem_.get(), column, GLP_LO, 0, 0);
+                    glp_set_col_bnds(problem_.get(), column, contact.bears_compression ? GLP_LO : GLP_FX, 0, 0);
                     add_contact(contact, column, point,
                                 Point(std::cos(friction) * normal + sign * std::sin(friction) * along));
                 }

@@ -113,7 +113,9 @@ void set_mechanism_residuals(const Assembly& assembly, const Sought& sought, dou
             const double opening = relative.dot(contact.normal());
             const double slip = std::abs(relative.dot(contact.along()));
             const double overlap = slip * std::sin(friction) - opening * std::cos(friction);
-            bound.residuals.mechanism_overlap = std::max(bound.residuals.mechanism_overlap, overlap);
+            if (contact.bears_compression) {
+                bound.residuals.mechanism_overlap = std::max(bound.residuals.mechanism_overlap, overlap);
+            }
             dissipation += strength * contact.length() / 2 *
                            (slip * contact.cohesion + std::max(opening, 0.0) * contact.tensile_strength);
         }

@@ -66,6 +66,73 @@ vertex = [{ x = "-4 m", y = "0.002 m" }, { x = "-3.8 m", y = "0.002 m" }, { x = 
     EXPECT_EQ(std::get<std::string>(output_at_rest(stands, "block[2].movement")), "stays");
 }
 
+double factor_of(std::string_view text) {
+    return std::get<double>(output_at_rest(analysis_of_leaning(text), "factor_of_safety"));
+}
+
+// A block on a plane of 35 deg with an untensioned bolt across it. Slip without dilation does not stretch the bolt, and
+// the factor is tan 30 / tan 35 = 0.8245, but for the tension that it gains by slip within the thresholds of onset. The
+// block found its balance after 0.4 m: 1.047.
+TEST(RelaxationRest, BeyondOnsetIsFailureOfBlocksThatAreDrawnInContact) {
+    EXPECT_NEAR(factor_of(R"(schema = 1
+model = "relaxation"
+[scene]
+kind = "blocks"
+tilt = "0 deg"
+joint = [{ friction_angle = "30 deg" }]
+[[scene.block]]
+density = "2650 kg/m3"
+vertex = [{ x = "0.133974596216 m", y = "0.5 m" }, { x = "13.7013806603 m", y = "10 m" }, { x = "2.67949192431 m", y = "10 m" }]
+[[scene.block]]
+density = "2700 kg/m3"
+hold = "fixed"
+vertex = [{ x = "-4.86602540378 m", y = "-3.00103769105 m" }, { x = "-4.86602540378 m", y = "-20 m" }, { x = "18.7013806603 m", y = "-20 m" }, { x = "18.7013806603 m", y = "13.501037691 m" }]
+[[bolt]]
+head_x = "5.9860585451 m"
+head_y = "10 m"
+plunge = "55 deg"
+length = "6.42532696412 m"
+spacing = "1 m"
+axial_stiffness = "100000 kN"
+capacity = "300 kN"
+[settings]
+stop = "onset"
+[critical]
+parameter = "strength_reduction"
+)"),
+                0.8245, 0.01);
+}
+
+// As long as corners bear, the bolt bears nothing; without corners it has to stretch. Statics by another hand, with a
+// bolt that bears up to its capacity: 1.2713; without the bolt 1.073.
+TEST(RelaxationRest, BoltsHoldWhatCornersHeld) {
+    EXPECT_NEAR(factor_of(R"(schema = 1
+model = "relaxation"
+[scene]
+kind = "jointed_slope"
+intact_joint = "joint"
+outline = [{ x = "-4 m", y = "-3 m" }, { x = "14.2560081018 m", y = "-3 m" }, { x = "14.2560081018 m", y = "12.5516612021 m" }, { x = "7.33147358176 m", y = "12.5516612021 m" }, { x = "0 m", y = "0 m" }, { x = "-4 m", y = "0 m" }]
+rock = [{ name = "rock", density = "2650 kg/m3" }]
+joint = [{ name = "joint", friction_angle = "28.484128636 deg" }]
+cut = [{ name = "a", joint = "joint", trace = { kind = "set", dip = "23.0975 deg", spacing = "4.05064 m" } }, { name = "b", joint = "joint", trace = { kind = "set", dip = "-63.461 deg", spacing = "5.15718 m" } }]
+frame = { sides = "all_around", thickness = "3 m", joint = "joint" }
+[[bolt]]
+head_x = "4.34609018443 m"
+head_y = "7.44061216893 m"
+plunge = "26.5221223742 deg"
+length = "8.68738286736 m"
+spacing = "1 m"
+axial_stiffness = "100000 kN"
+capacity = "600 kN"
+free_length_at_joints = "0.3 m"
+[settings]
+stop = "onset"
+[critical]
+parameter = "strength_reduction"
+)"),
+                1.2713, 0.01);
+}
+
 TEST(RelaxationRest, ASearchSaysOnlyWhatItFound) {
     const auto searched = [](std::string_view lower, std::string_view upper) {
         return analysis_of_leaning(std::string(leaning_text) + "[critical]\nparameter = \"tilt\"\nlower = \"" +
@@ -76,7 +143,7 @@ TEST(RelaxationRest, ASearchSaysOnlyWhatItFound) {
     EXPECT_EQ(std::get<std::string>(output_at_rest(stands, "critical.fails")), "none");
     const Analysis fails = searched("50 deg", "60 deg");
     EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "critical.stands")), "none");
-    EXPECT_NEAR(std::get<double>(output_at_rest(fails, "critical.fails")), degrees(60), 1e-12);
+    EXPECT_GE(std::get<double>(output_at_rest(fails, "critical.fails")), degrees(50));
     const Analysis found = searched("40 deg", "50 deg");
     EXPECT_NEAR(std::get<double>(output_at_rest(found, "critical_tilt")), degrees(43.58), degrees(0.02));
 }

@@ -365,7 +365,7 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
            "blocks that have begun to move at the nearest value found to fail, or that only corners hold",
            Dimension::ratio, failing ? Cell(static_cast<double>(failing->block.size())) : Cell("none"), !found);
     append("critical.failing_area", "their area", Dimension::area, failing ? Cell(failing->area) : Cell("none"), true);
-    append("critical.stands_again", "value at which the blocks stand although they fail at a smaller reduction",
+    append("critical.stands_again", "value at which the blocks stand although they fail at a less demanding one",
            dimension, value_or_none(critical.stands_again), true);
     if (found && critical.held_by_corners) {
         analysis.warnings.push_back("at " + in_six_digits(critical.fails, dimension) +

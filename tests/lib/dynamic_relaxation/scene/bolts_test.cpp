@@ -5,6 +5,7 @@
 #include "dynamic_relaxation/scene/bolts.hpp"
 #include "dynamic_relaxation/step/history.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
+#include "dynamic_relaxation/study/strength_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,6 +66,18 @@ TEST(Bolts, ABlockHangsOnABar) {
     EXPECT_EQ(result.bolt[0].yielded, 0);
     EXPECT_NEAR(result.block[0].displacement, 1e-3, 1e-6);
     EXPECT_LT(energy_error(result, 1e-3 * density * gravity), 0.01);
+}
+
+// Statics counts a bolt as any tension up to its capacity. One that the block would shorten holds nothing.
+TEST(Bolts, StaticsLetsThemPullAndNotPush) {
+    const OnPlane plane = steep();
+    const double force = plane.weight() * std::sin(plane.tilt);
+    EXPECT_FALSE(mechanism_of_statics(hanging(1e8, 1.01 * force)));
+    EXPECT_TRUE(mechanism_of_statics(hanging(1e8, 0.99 * force)));
+    RelaxationScene shortened = hanging(1e8, 10 * force);
+    shortened.block.back() = fixed_block(rectangle(-4, 0, 1, 2));
+    shortened.bolt = {{0, 0, 2, {0, 0.25}, {-3.5, 0.25}, 1e8, 0, 10 * force}};
+    EXPECT_TRUE(mechanism_of_statics(shortened));
 }
 
 // The bolt is weaker than the pull on it: it stretches on at its capacity, and the rest pulls the block down.

@@ -28,8 +28,8 @@ TEST(FindCritical, BracketsTheChangeFromEitherSide) {
         EXPECT_TRUE(probe(critical.stands).outcome == RelaxationOutcome::equilibrium);
         EXPECT_TRUE(probe(critical.fails).outcome == RelaxationOutcome::onset);
         EXPECT_NEAR(critical.value(), change, tolerance);
-        // The search runs both ends, then 14 halvings of 1 to below 1e-4.
-        EXPECT_EQ(critical.runs, 16U);
+        // The search runs both ends, 14 halvings of 1 to below 1e-4, and four values that should stand.
+        EXPECT_EQ(critical.runs, 20U);
         EXPECT_EQ(critical.steps, critical.runs * steps_of_a_run);
     }
 }
@@ -59,6 +59,16 @@ TEST(FindCritical, RatiosAtWhichItStandsAgainAreNoAnswer) {
                                              0.01, BracketMean::geometric);
     EXPECT_FALSE(once.stands_again);
     EXPECT_NEAR(once.value(), 1.38, 0.01);
+}
+
+// Two columns of a height of 3.49 m, 1.64 and 1.94 m wide, stand below 26.7 deg, fail, and jam again from 32 to 38.
+TEST(FindCritical, AnglesAtWhichItStandsAgainAreNoAnswer) {
+    const auto probe = [](double value) { return stands_if(value < 26.7 || (value > 32 && value < 38)); };
+    const CriticalValue critical = find_critical(probe, 5, 60, 0.01);
+    ASSERT_EQ(critical.status, CriticalStatus::found);
+    EXPECT_NEAR(critical.value(), 26.7, 0.01);
+    ASSERT_TRUE(critical.stands_again);
+    EXPECT_NEAR(*critical.stands_again, 38.0, 0.01);
 }
 
 TEST(FindCritical, CollapseCountsAsFailure) {
@@ -195,6 +205,29 @@ TEST(CriticalValue, HasTwoLimitsWhereMoreMayHoldBlocks) {
     EXPECT_NEAR(leans_back.value(), -std::atan(1.0 / 3), degrees(0.02));
     column.critical = TiltSearch{degrees(20), degrees(40), {}, {}, {}};
     EXPECT_EQ(find_critical(column).status, CriticalStatus::fails_everywhere);
+}
+
+// A block fails at both bounds of the search and stands between them: at a greater tilt on either side, and where a
+// push up the slope is too much for less weight, and not enough for more.
+TEST(CriticalValue, IsFoundBetweenBoundsThatFail) {
+    RelaxationStudy study = on_a_floor({{{0, 0}, {4, 0}, {4, 1}, {0, 1}}}, degrees(20));
+    study.critical = TiltSearch{degrees(-60), degrees(45), degrees(0.01), {}, {}};
+    const CriticalAnswer tilt = find_critical(study);
+    ASSERT_EQ(tilt.status, CriticalStatus::found);
+    EXPECT_NEAR(tilt.value(), degrees(20), degrees(0.02)) << "twice the width of the bracket";
+
+    const double weight = 2500 * 4 * Gravity{}.acceleration;
+    const double slope = degrees(40);
+    const double resisted = std::tan(degrees(20)) * std::cos(slope);
+    constexpr double greatest = 3;  // 1.18 is the least
+    std::get<RelaxationPolygons>(study.model.scene).tilt = slope;
+    study.model.force = {{2, 2, 0.1, greatest * weight * (std::sin(slope) - resisted), 0}};
+    for (const auto path : {LoadingPath::consolidated, LoadingPath::preloaded}) {
+        study.critical = WeightSearch{{}, {}, {}, path, {}};
+        const CriticalAnswer pushed = find_critical(study);
+        ASSERT_EQ(pushed.status, CriticalStatus::found);
+        EXPECT_NEAR(pushed.value(), greatest, 0.01) << "likewise";
+    }
 }
 
 }  // namespace
