@@ -85,6 +85,11 @@ bool both_there(const BlocksUnderLoad& blocks, std::size_t block, std::size_t ot
     return blocks.removed[block] == 0 && blocks.removed[other] == 0;
 }
 
+bool has_moved(const BlocksUnderLoad& blocks, std::size_t block) {
+    const Motion& motion = blocks.motion[block];
+    return motion.x != 0 || motion.y != 0 || motion.angle != 0;
+}
+
 PlanePoint<> centroid_of(const BlocksUnderLoad& blocks, std::size_t block) {
     const Motion& motion = blocks.motion[block];
     return blocks.bodies.centroid[block] + PlanePoint<>(motion.x, motion.y);
@@ -183,14 +188,16 @@ FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<Shar
     return made;
 }
 
-void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list, FaceAssembly& made) {
+void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list, FaceAssembly& made,
+                          double least_gap) {
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const ContactMemory memory = list.memory[index];
-        if (!memory.touching) {
+        const RelaxationContact contact = list.contact[index];
+        if (!memory.touching ||
+            contact.gap <= least_gap * opening_of_closed_joint(blocks.bodies, contact.block, contact.other)) {
             continue;
         }
-        const RelaxationContact contact = list.contact[index];
         const ContactLaw law = list.law_of(contact);
         const ContactPosition at = locate(contact, blocks.motion[contact.block], blocks.motion[contact.other]);
         if (!is_on_edge(blocks.bodies, law, contact, at)) {
@@ -211,7 +218,8 @@ void add_tips_on_edges(const BlocksUnderLoad& blocks, const std::vector<SharedFa
     }
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
     for (const auto& [first, second] : touching_blocks(blocks.bodies)) {
-        if (both_there(blocks, first, second) && !facing.contains(std::minmax<std::size_t>(first, second))) {
+        if (both_there(blocks, first, second) && !has_moved(blocks, first) && !has_moved(blocks, second) &&
+            !facing.contains(std::minmax<std::size_t>(first, second))) {
             add_tips(blocks, first, second, body, made.assembly);
             add_tips(blocks, second, first, body, made.assembly);
         }
@@ -227,7 +235,9 @@ void add_bolts(const BlocksUnderLoad& blocks, FaceAssembly& made) {
         // A face across the bolt, with the other block ahead of it.
         const double half = half_of_point(blocks.bodies, bolt.block, bolt.other);
         const PlanePoint<> along = (bolt.other_at - bolt.at).normalized();
-        add_face(body[bolt.block], body[bolt.other], bolt.at, half * PlanePoint<>(along.y(), -along.x()),
+        const PlanePoint<> arm = bolt.at - blocks.bodies.centroid[bolt.block];
+        const PlanePoint<> at = centroid_of(blocks, bolt.block) + blocks.motion[bolt.block].turned(arm);
+        add_face(body[bolt.block], body[bolt.other], at, half * PlanePoint<>(along.y(), -along.x()),
                  {0, 0, bolt.capacity / (2 * half), false}, made.assembly);
     }
 }

@@ -7,6 +7,7 @@
 #include "dynamic_relaxation/contact/contacts.hpp"
 #include "dynamic_relaxation/scene/scene.hpp"
 #include "limit_equilibrium/bound/assembly.hpp"
+#include "numerics/constants.hpp"
 
 #include <cstddef>
 #include <span>
@@ -45,14 +46,17 @@ FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<Shar
                            const JointHistory* history = nullptr);
 
 // Adds contacts at points, outside these faces: corners that touch an edge of another block, except corners on corners
-// (corner_choice.hpp). Edges that continue straight past a corner count as one edge.
-void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list, FaceAssembly& made);
+// (corner_choice.hpp). Edges that continue straight past a corner count as one edge. `least_gap`: of those that were
+// farther apart in the initial geometry, in openings of closed joints.
+void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list, FaceAssembly& made,
+                          double least_gap = -infinity);
 
 // The same for blocks that have not moved and have no contacts yet: corners that lie on an edge of another block,
-// between its ends, where the two share no face.
+// between its ends, where the two share no face and have not moved.
 void add_tips_on_edges(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces, FaceAssembly& made);
 
-// Adds bolts that bear any tension up to their capacity, and no compression, along their initial axis.
+// Adds bolts that bear any tension up to their capacity, and no compression, along their initial axis where their
+// blocks have carried it.
 void add_bolts(const BlocksUnderLoad& blocks, FaceAssembly& made);
 
 }  // namespace delabole

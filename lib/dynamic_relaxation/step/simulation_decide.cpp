@@ -139,8 +139,8 @@ bool Simulation::corners_may_bear() const {
 
 // Whether the faces alone hold the blocks in their present positions and under the present loads, or corners may bear;
 // records the blocks that would move. After onset only touching contacts count; before it, the faces of the initial
-// geometry do, because a minute rotation opens one end of them or the other, and bolts bear up to their capacity, of
-// which little is needed as long as corners bear. Forces of faces that suffice are no proof,
+// geometry do, because a minute rotation opens one end of them or the other, and bolts bear from nothing up to
+// their capacity, of which little is needed as long as corners bear. Forces of faces that suffice are no proof,
 // because friction does not dilate as the linear programme supposes: the blocks have to stay when the corners give way,
 // too. Cases that the programme cannot solve are left to that trial, or held by corners if none gives way in it.
 bool Simulation::held_by_faces() {

@@ -51,6 +51,7 @@ class Bisection {
         }
         if (!*first) {
             critical_.status = CriticalStatus::fails_everywhere;
+            critical_.fails = critical_.last;
             return critical_;
         }
         const std::optional<bool> second = stands_at(critical_.fails);
@@ -59,6 +60,7 @@ class Bisection {
         }
         if (*second) {
             critical_.status = CriticalStatus::stands_everywhere;
+            critical_.stands = critical_.last;
             return critical_;
         }
         // Blocks that fall before they rest pass the threshold of onset at one angle, and just not at the next.
@@ -81,6 +83,7 @@ class Bisection {
             return std::nullopt;
         }
         const bool stands = run.outcome == RelaxationOutcome::equilibrium;
+        (stands ? critical_.seen_to_stand : critical_.seen_to_fail) = true;
         if (stands) {
             stood_.push_back(value);
             rested_in_motion_ = run.rested_in_motion;

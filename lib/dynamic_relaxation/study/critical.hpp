@@ -32,6 +32,8 @@ struct CriticalValue {
     CriticalStatus status = CriticalStatus::found;
     double stands = 0;                   // nearest value at which the blocks are known to stand
     double fails = 0;                    // nearest value at which they are known to fail
+    bool seen_to_stand = false;          // at `stands`, in a run; otherwise that is a bound not yet tried
+    bool seen_to_fail = false;           // at `fails`
     std::optional<double> stands_again;  // more demanding value than `fails`, at which the blocks stand
     bool held_by_corners = false;        // at `fails`: the blocks rest, but on corners alone
     double last = 0;                     // value of the last run: if no value was found, the one that ended the search

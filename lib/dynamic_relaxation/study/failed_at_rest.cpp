@@ -62,34 +62,17 @@ bool rests_beyond_onset(const Simulation& simulation, const std::vector<Motion>&
     return !balance || balance->unbalanced_ratio > settings.equilibrium_ratio || any_is_beyond(settled.state().motion);
 }
 
-// Tells the blocks that have moved onto others across joints that were open in the initial geometry.
-std::vector<char> landed_blocks(const Simulation& simulation) {
-    const Bodies& bodies = simulation.bodies();
-    const RelaxationState& state = simulation.state();
-    std::vector<char> landed(bodies.size(), 0);
-    for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
-        const RelaxationContact& contact = state.contacts.contact[index];
-        if (contact.gap <= opening_of_closed_joint(bodies, contact.block, contact.other) ||
-            !state.contacts.memory[index].touching) {
-            continue;
+// Whether blocks touch across joints that were open in the initial geometry.
+bool has_closed_joints(const Simulation& simulation) {
+    const ContactList& list = simulation.state().contacts;
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact contact = list.contact[index];
+        if (contact.gap > opening_of_closed_joint(simulation.bodies(), contact.block, contact.other) &&
+            list.memory[index].touching) {
+            return true;
         }
-        // What another block lands on yields by far less than the opening that is closed.
-        const auto note = [&](std::size_t block, const PlanePoint<>& arm) {
-            constexpr double own_share = 0.1;
-            const Motion& motion = state.motion[block];
-            const PlanePoint<> moved = PlanePoint<>(motion.x, motion.y) + motion.turned_by(arm);
-            if (moved.norm() > own_share * contact.gap) {
-                landed[block] = 1;
-            }
-        };
-        note(contact.block, {contact.arm_x, contact.arm_y});
-        note(contact.other, {contact.other_arm_x, contact.other_arm_y});
     }
-    return landed;
-}
-
-bool any_of(const std::vector<char>& landed) {
-    return std::ranges::find(landed, 1) != landed.end();
+    return false;
 }
 
 // Moves the blocks of `state` as far along the mechanism as its thresholds of onset.
@@ -97,6 +80,9 @@ void move_to_onset(const Bodies& bodies, const RelaxationSettings& settings, std
                    RelaxationState& state) {
     state.motion = std::move(mechanism);
     const double share = farthest_motion(bodies, state, state.origin).in_thresholds(settings);
+    if (!(share > 0)) {
+        return;  // only blocks that have left
+    }
     for (Motion& motion : state.motion) {
         motion.x /= share;
         motion.y /= share;
@@ -135,15 +121,8 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene());
     bool some_landed = false;
     if (mechanism && (mechanism->at_any_strength || (contact == InitialContact::perhaps_none && within_onset))) {
-        const std::vector<char> landed = landed_blocks(simulation);
-        some_landed = any_of(landed);
-        if (some_landed) {
-            RelaxationScene held = simulation.scene();
-            for (std::size_t block = 0; block < landed.size(); ++block) {
-                held.block[block].fixed = held.block[block].fixed || landed[block] != 0;
-            }
-            mechanism = mechanism_of_statics(held);
-        }
+        some_landed = has_closed_joints(simulation);
+        mechanism = some_landed ? mechanism_where_blocks_landed(simulation, *mechanism) : mechanism;
     }
     if (!mechanism) {
         return std::nullopt;
@@ -164,7 +143,7 @@ std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, Init
     const std::vector<Motion>& start = begun_at != nullptr ? begun_at->motion : unmoved;
     std::optional<RelaxationState> failed;
     const bool begun_in_contact =
-        begun_at != nullptr || contact == InitialContact::drawn || !any_of(landed_blocks(simulation));
+        begun_at != nullptr || contact == InitialContact::drawn || !has_closed_joints(simulation);
     if (begun_in_contact && rests_beyond_onset(simulation, start, begun_at)) {
         failed = since(simulation.state(), start);
     } else {

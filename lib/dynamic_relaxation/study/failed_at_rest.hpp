@@ -18,11 +18,11 @@ enum class InitialContact { drawn, perhaps_none };
 //   that may be drawn apart have moved onto each other;
 // - or statics finds no forces that hold them in the initial geometry (`mechanism_of_statics`): some find their balance
 //   in another shape, leaning on each other after a turn of a thousandth. Where no strength holds them as drawn, or
-//   blocks may be drawn apart and moved less than onset, those count as fixed that have moved onto others across an
-//   open joint; the rest has to hold all the same. Statics is asked if the run has no verdict or came to rest; of more
-//   than 2000 blocks only if they have moved by 0.002 radii or have bolts, of which a short one turns towards the
-//   direction of slip within millimetres, and would hold like a dowel. The state is that of its mechanism at onset if
-//   the blocks moved less or some of them are fixed.
+//   blocks may be drawn apart and moved less than onset, what they came to rest on across open joints may hold them,
+//   too (`mechanism_where_blocks_landed`). Statics is asked if the run has no verdict or came to rest; of more than
+//   2000 blocks only if they have moved by 0.002 radii or have bolts, of which a short one turns towards the direction
+//   of slip within millimetres, and would hold like a dowel. The state is that of its mechanism at onset if the blocks
+//   moved less or some have landed.
 // Onset counts as of when they began, so that blocks count as moving that have moved a tenth as far as the farthest.
 std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, InitialContact contact,
                                               const RelaxationState* begun_at = nullptr);

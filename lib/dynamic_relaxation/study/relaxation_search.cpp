@@ -131,6 +131,13 @@ class PathSearch {
         return probe_at(value, Begin::at_start);
     }
 
+    void multiply_stiffness(double factor) {
+        for (JointMaterial& material : scene_.material) {
+            material.normal_stiffness *= factor;
+            material.shear_stiffness *= factor;
+        }
+    }
+
     // Sets the watch, which receives the share of the path's work done, including that of the present run.
     void tell(const std::function<bool(double)>& watch) { watch_ = watch; }
 
@@ -184,9 +191,10 @@ class PathSearch {
             values.push_back(std::min(plan_.lower, own_ratio));
         }
         if (plan_.has_two_limits()) {
-            values.push_back(plan_.upper);
-            const std::vector<double> between = values_between();
-            values.insert(values.end(), between.begin(), between.end());
+            std::vector<double> further = values_between();
+            further.insert(further.begin(), {plan_.lower, plan_.upper});
+            std::ranges::copy_if(further, std::back_inserter(values),
+                                 [&](double value) { return std::ranges::find(values, value) == values.end(); });
         }
         return values;
     }
@@ -194,17 +202,13 @@ class PathSearch {
     // Where blocks may stand that fail at both bounds, in the order in which it is tried.
     std::vector<double> values_between() const {
         std::vector<double> values;
-        if (plan_.is_ratio()) {
-            for (double ratio = own_ratio; ratio < plan_.upper; ratio *= 2) {
-                values.push_back(ratio);
-            }
-        } else {
-            if (const double own = scene_.gravity.tilt; own > plan_.lower && own < plan_.upper) {
-                values.push_back(own);
-            }
-            for (const double share : {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875}) {
-                values.push_back(plan_.lower + share * (plan_.upper - plan_.lower));
-            }
+        const double own = plan_.is_ratio() ? own_ratio : scene_.gravity.tilt;
+        if (own > plan_.lower && own < plan_.upper) {
+            values.push_back(own);
+        }
+        for (const double share : {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875}) {
+            values.push_back(plan_.is_ratio() ? plan_.lower * std::pow(plan_.upper / plan_.lower, share)
+                                              : plan_.lower + share * (plan_.upper - plan_.lower));
         }
         return values;
     }
@@ -218,9 +222,8 @@ class PathSearch {
                 standing_.emplace(at, probe);
                 return true;
             }
-            const CriticalValue tried = find_critical([&](double) { return probe; }, at, at, plan_.tolerance);
-            value.status = tried.status;
-            value.stands = value.fails = value.last = at;
+            CriticalValue& tried = value;
+            tried = find_critical([&](double) { return probe; }, at, at, plan_.tolerance);
             count_costs(value);
             // Blocks that fall far may crush each other: such a run has failed, but a stronger slope may come to rest.
             if (value.status != CriticalStatus::fails_everywhere && value.status != CriticalStatus::run_failed) {
@@ -237,7 +240,7 @@ class PathSearch {
         }
         const RelaxationScene scene = scene_at(value);
         if (check(scene, settings_).check != SceneCheck::valid) {
-            return {RelaxationOutcome::scene_not_valid, 0};
+            return progress_.probe.emplace_back(CriticalProbe{RelaxationOutcome::scene_not_valid, 0});
         }
         Simulation simulation = begun(scene, begin);
         const double expected = 5 + std::ceil(std::log2(std::max(2.0, (plan_.upper - plan_.lower) / plan_.tolerance)));
@@ -326,7 +329,9 @@ class PathSearch {
     RelaxationSettings settings_;
     std::function<bool(double)> watch_ = {};
     std::size_t runs_ = 0;
-    std::map<double, CriticalProbe> standing_ = {};  // the probes of this search that stood
+    // The probes of this search that stood. Those that failed are made again where they are asked for again: the last
+    // one that failed is the one at the value reported.
+    std::map<double, CriticalProbe> standing_ = {};
 };
 
 }  // namespace
@@ -456,16 +461,30 @@ std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const Crit
         return std::nullopt;
     }
     constexpr double less_demanding = 0.98;
+    constexpr double less_if_softer = 0.95;
+    constexpr double softer = 0.1;
+    constexpr std::size_t few_blocks = 200;
     constexpr std::uint64_t fewest_steps = 1000;
     StudyWork work;
     work.watch = watch;
-    StudyProgress whole;
-    SearchProgress progress;
-    PathSearch search(study, plan, LoadingPath::preloaded, work, whole, progress);
-    const double value = found.stands < found.fails ? less_demanding * found.stands : found.stands / less_demanding;
-    const RelaxationOutcome outcome = search.run_at(value, std::max(found.steps, fewest_steps)).outcome;
-    const bool stands = outcome == RelaxationOutcome::equilibrium;
-    return stands || shows_failure(outcome) ? std::optional(OtherPath{value, stands}) : std::nullopt;
+    const auto less = [&](double by) { return found.stands < found.fails ? by * found.stands : found.stands / by; };
+    const auto run_at = [&](double value, double stiffness) {
+        StudyProgress whole;
+        SearchProgress progress;
+        PathSearch search(study, plan, LoadingPath::preloaded, work, whole, progress);
+        search.multiply_stiffness(stiffness);
+        return search.run_at(value, std::max(found.steps, fewest_steps)).outcome;
+    };
+    const double value = less(less_demanding);
+    const RelaxationOutcome outcome = run_at(value, 1);
+    if (outcome != RelaxationOutcome::equilibrium) {
+        return shows_failure(outcome) ? std::optional(OtherPath{value, false, {}}) : std::nullopt;
+    }
+    OtherPath tried{value, true, {}};
+    if (relaxation_scene(study).block.size() <= few_blocks && shows_failure(run_at(less(less_if_softer), softer))) {
+        tried.fails_if_softer = less(less_if_softer);
+    }
+    return tried;
 }
 
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work) {

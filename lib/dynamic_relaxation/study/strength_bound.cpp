@@ -33,13 +33,19 @@ std::vector<char> removed_at_first(const RelaxationScene& scene) {
     return removed;
 }
 
-FaceAssembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
-                         const std::vector<char>& removed, bool tips_bear) {
+std::vector<BlockForce> all_loads(const RelaxationScene& scene, const Bodies& bodies,
+                                  const std::vector<Motion>& motion) {
     RelaxationSettings at_once;
     at_once.start = RelaxationStart::dropped;
-    const std::vector<Motion> unmoved(bodies.size());
     std::vector<BlockForce> load(bodies.size());
-    sum_loads(scene, at_once, bodies, 0, bodies.fixed, unmoved, load);
+    sum_loads(scene, at_once, bodies, 0, bodies.fixed, motion, load);
+    return load;
+}
+
+FaceAssembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
+                         const std::vector<char>& removed, bool tips_bear) {
+    const std::vector<Motion> unmoved(bodies.size());
+    const std::vector<BlockForce> load = all_loads(scene, bodies, unmoved);
     const BlocksUnderLoad blocks{scene, bodies, bodies.fixed, removed, unmoved, load};
     FaceAssembly made = face_assembly(blocks, faces);
     if (tips_bear) {
@@ -47,6 +53,18 @@ FaceAssembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, con
         add_bolts(blocks, made);
     }
     return made;
+}
+
+std::vector<Motion> motion_of_blocks(const LeastImbalance& found, const FaceAssembly& made, std::size_t blocks) {
+    std::vector<Motion> motion(blocks);
+    for (std::size_t body = 0; body < found.mechanism.size(); ++body) {
+        const VirtualMotion& moved = found.mechanism[body];
+        Motion& of_block = motion[made.block_of[body]];
+        of_block.x = moved.displacement.x();
+        of_block.y = moved.displacement.y();
+        of_block.set_angle(moved.rotation);
+    }
+    return motion;
 }
 
 // Whether the assembly stands with its strength divided by `reduction`. Returns nothing if the linear programme has no
@@ -111,22 +129,44 @@ std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene
     const Bodies bodies = make_bodies(scene);
     const std::vector<SharedFace> faces = find_shared_faces(bodies);
     const std::vector<char> removed = removed_at_first(scene);
-    const auto [assembly, block_of] = assembly_of(scene, bodies, faces, removed, true);
-    const LeastImbalance found = least_imbalance(assembly);
+    const FaceAssembly made = assembly_of(scene, bodies, faces, removed, true);
+    const LeastImbalance found = least_imbalance(made.assembly);
     if (found.status != LpStatus::optimal || found.stands()) {
         return std::nullopt;
     }
     const std::optional<bool> with_strength =
         stands(assembly_of(with_greatest_strength(scene), bodies, faces, removed, true).assembly);
-    StaticMechanism mechanism{std::vector<Motion>(bodies.size()), with_strength != true};
-    for (std::size_t body = 0; body < block_of.size(); ++body) {
-        const VirtualMotion& moved = found.mechanism[body];
-        Motion& motion = mechanism.motion[block_of[body]];
-        motion.x = moved.displacement.x();
-        motion.y = moved.displacement.y();
-        motion.set_angle(moved.rotation);
+    return StaticMechanism{motion_of_blocks(found, made, bodies.size()), with_strength == false};
+}
+
+std::optional<StaticMechanism> mechanism_where_blocks_landed(const Simulation& at_rest,
+                                                             const StaticMechanism& as_drawn) {
+    const RelaxationScene& scene = at_rest.scene();
+    const Bodies& bodies = at_rest.bodies();
+    const RelaxationState& state = at_rest.state();
+    std::vector<Motion> motion(bodies.size());
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const Motion& now = state.motion[block];
+        const MotionExtremes moved{std::abs(now.angle), std::hypot(now.x, now.y) / bodies.radius[block]};
+        motion[block] = moved.in_thresholds(at_rest.settings()) > 1 ? now : Motion{};
     }
-    return mechanism;
+    std::vector<SharedFace> faces = find_shared_faces(bodies);
+    std::erase_if(faces, [&](const SharedFace& face) {
+        return locate(face, motion[face.block], motion[face.other]).opening >
+               opening_of_closed_joint(bodies, face.block, face.other);
+    });
+    const std::vector<BlockForce> load = all_loads(scene, bodies, motion);
+    const BlocksUnderLoad blocks{scene, bodies, bodies.fixed, state.removed, motion, load};
+    FaceAssembly made = face_assembly(blocks, faces);
+    add_corners_on_edges(blocks, state.contacts, made, 1);
+    add_tips_on_edges(blocks, faces, made);
+    add_bolts(blocks, made);
+    const LeastImbalance found = least_imbalance(made.assembly);
+    if (found.status != LpStatus::optimal) {
+        return as_drawn;
+    }
+    return found.stands() ? std::nullopt
+                          : std::optional(StaticMechanism{motion_of_blocks(found, made, bodies.size()), false});
 }
 
 std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const Bodies& bodies,

@@ -3,6 +3,7 @@
 
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
 #include "dynamic_relaxation/scene/scene.hpp"
+#include "dynamic_relaxation/step/simulation.hpp"
 #include "limit_equilibrium/bound/lp_bound.hpp"
 
 #include <atomic>
@@ -37,6 +38,12 @@ struct StaticMechanism {
 // capacity along their axes; nothing if there are such forces, or no answer. Two linear programmes: a second for 1500
 // blocks.
 std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene);
+
+// The same where blocks have come to rest on others that they did not touch in the initial geometry: forces act at
+// those contacts, too, and blocks that have moved farther than onset act where they are now, the rest as in the initial
+// geometry. `as_drawn`: the mechanism without this, which is the answer if the linear programme has none.
+std::optional<StaticMechanism> mechanism_where_blocks_landed(const Simulation& at_rest,
+                                                             const StaticMechanism& as_drawn);
 
 // The blocks that have lost a neighbour among those `gone` and that the others could not hold even if they were fixed
 // (the removable blocks of Goodman & Shi 1985, with friction and water). Further blocks may lose their support with

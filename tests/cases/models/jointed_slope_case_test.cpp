@@ -95,9 +95,10 @@ TEST(JointedSlopeCase, AnUndecidedSearchSaysWhatToRaiseAndItsBracket) {
     search.status = CriticalStatus::undecided;
     search.stands = 0.6;
     search.fails = 0.7;
+    search.seen_to_stand = search.seen_to_fail = true;
     EXPECT_TRUE(
         head_card({}, answer).sentences.front().ends_with("raise it. The blocks stand at 0.6 and fail at 0.7."));
-    search.fails = 2;  // the bound, at which there was no run
+    search.seen_to_fail = false;  // a bound, at which there was no run
     EXPECT_TRUE(head_card({}, answer).sentences.front().ends_with("within settings.duration: raise it."));
 }
 

@@ -54,16 +54,24 @@ TEST(RelaxationRest, InAnotherShapeIsFailure) {
 
 // What has landed elsewhere is judged where it lies, and excuses nothing beside it.
 TEST(RelaxationRest, APebbleThatLandsExcusesNothing) {
-    const std::string with_pebble = std::string(leaning_text) + R"([[scene.block]]
-density = "2500 kg/m3"
-vertex = [{ x = "-4 m", y = "0.002 m" }, { x = "-3.8 m", y = "0.002 m" }, { x = "-3.8 m", y = "0.2 m" }, { x = "-4 m", y = "0.2 m" }]
-)";
-    const Analysis fails = analysis_of_leaning(with_pebble);
-    EXPECT_EQ(std::get<double>(output_at_rest(fails, "onset_time")), 0);
-    EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "block[2].movement")), "slides_forward");
-    EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "block[4].movement")), "stays") << "the pebble";
-    const Analysis stands = analysis_of_leaning(changed(with_pebble, "43.9 deg", "43.4 deg"));
-    EXPECT_EQ(std::get<std::string>(output_at_rest(stands, "block[2].movement")), "stays");
+    const auto with_pebble = [](double left, double bottom) {
+        const auto corner = [&](double x, double y) {
+            return "{ x = \"" + std::to_string(left + x) + " m\", y = \"" + std::to_string(bottom + y) + " m\" }";
+        };
+        return std::string(leaning_text) + "[[scene.block]]\ndensity = \"2500 kg/m3\"\nvertex = [" + corner(0, 0) +
+               ", " + corner(0.2, 0) + ", " + corner(0.2, 0.2) + ", " + corner(0, 0.2) + "]\n";
+    };
+    // On the base, on the slab that leans and on the square that it pushes, through 2 and 0.4 mm.
+    for (const auto& [left, below] : {std::pair(-4.0, 0.0), std::pair(1.9, 3.9), std::pair(0.6, 1.39)}) {
+        for (const double gap : {0.002, 0.0004}) {
+            const std::string text = with_pebble(left, below + gap);
+            const Analysis fails = analysis_of_leaning(text);
+            EXPECT_EQ(std::get<double>(output_at_rest(fails, "onset_time")), 0) << text;
+            EXPECT_EQ(std::get<std::string>(output_at_rest(fails, "block[2].movement")), "slides_forward") << text;
+            const Analysis stands = analysis_of_leaning(changed(text, "43.9 deg", "43.4 deg"));
+            EXPECT_EQ(std::get<std::string>(output_at_rest(stands, "block[2].movement")), "stays") << text;
+        }
+    }
 }
 
 double factor_of(std::string_view text) {

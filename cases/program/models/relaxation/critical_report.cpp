@@ -37,22 +37,9 @@ struct KnownEnds {
     std::optional<double> fails;
 };
 
-KnownEnds known_ends(const CriticalPlan& plan, const PathValue& value) {
-    switch (value.status) {
-    case CriticalStatus::found:
-        return {value.stands, value.fails};
-    case CriticalStatus::stands_everywhere:
-        return {value.last, std::nullopt};
-    case CriticalStatus::fails_everywhere:
-        return {std::nullopt, value.last};
-    default:
-        break;
-    }
-    const auto known = [&](double end) {
-        const bool own_bound = end == plan.lower || end == plan.upper;
-        return own_bound || value.stands == value.fails ? std::nullopt : std::optional(end);
-    };
-    return {known(value.stands), known(value.fails)};
+KnownEnds known_ends(const PathValue& value) {
+    return {value.seen_to_stand ? std::optional(value.stands) : std::nullopt,
+            value.seen_to_fail ? std::optional(value.fails) : std::nullopt};
 }
 
 // "stands", "fails" and the values found for them on one path.
@@ -61,7 +48,7 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     const std::string last = value_in_words(value.last, dimension);
     const std::string more = plan.stands_low() ? ": raise critical.upper" : ": lower critical.lower";
     const std::string less = plan.stands_low() ? ": lower critical.lower" : ": raise critical.upper";
-    const KnownEnds ends = known_ends(plan, value);
+    const KnownEnds ends = known_ends(value);
     const std::string known = ends.stands && ends.fails
                                   ? ". The blocks stand at " + bracket_in_words(*ends.stands, *ends.fails, dimension) +
                                         " and fail at " + bracket_in_words(*ends.fails, *ends.stands, dimension)
@@ -177,7 +164,7 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
                   column_name("stands", dimension), column_name("fails", dimension), "failing_blocks", "runs"});
     const auto add = [&](const PathValue& value) {
         const bool found = value.status == CriticalStatus::found;
-        const KnownEnds ends = known_ends(plan, value);
+        const KnownEnds ends = known_ends(value);
         const double failing = value.failed ? static_cast<double>(failing_blocks(*value.failed).block.size()) : 0;
         table.rows.push_back({std::string(word_of(value.path)),
                               found ? in_six_digits(value.value(), dimension) : human_name(word_of(value.status)),
@@ -312,7 +299,11 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
                       search_sentences(*answer.plan, critical),
                       {}};
         head.sentences.push_back(
-            answer.other_path && !answer.other_path->stands
+            answer.other_path && answer.other_path->fails_if_softer
+                ? "It depends on the stiffness of the joints: with a tenth of it the blocks fail at " +
+                      value_in_words(*answer.other_path->fails_if_softer, dimension_of(answer.plan->parameter)) +
+                      " already."
+            : answer.other_path && !answer.other_path->stands
                 ? "It depends on the loading path: with all loads at once the blocks fail at " +
                       value_in_words(answer.other_path->value, dimension_of(answer.plan->parameter)) + " already."
                 : "With the strength and loads as given: " + continued(end_in_words(made)));
@@ -350,7 +341,7 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
         analysis.outputs.push_back({key, meaning, of, value, detail});
     };
     append(names.front().name, meaning_of(plan.parameter), dimension, value_or_status(critical), false);
-    const KnownEnds ends = known_ends(plan, critical);
+    const KnownEnds ends = known_ends(critical);
     append("critical.stands", "nearest value found to stand", dimension, value_or_none(ends.stands), !found);
     append("critical.fails", "nearest value found to fail", dimension, value_or_none(ends.fails), !found);
     append("critical.path", "loading path on which the value was found", Dimension::ratio,
@@ -394,6 +385,10 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
                                     value_in_words(other_path->value, dimension) +
                                     ", at which they stand after they were consolidated: the value found depends on "
                                     "the loading path; critical.paths = \"all\" tells how much");
+    } else if (other_path && other_path->fails_if_softer) {
+        analysis.warnings.push_back("with joints of a tenth of their stiffness the blocks fail at " +
+                                    value_in_words(*other_path->fails_if_softer, dimension) +
+                                    " already: what holds them depends on a stiffness that is seldom known");
     } else if (critical.consolidated_at && plan.is_ratio() && *critical.consolidated_at != 1 && plan.lower <= 1 &&
                plan.upper >= 1 && !other_path) {
         analysis.warnings.push_back(

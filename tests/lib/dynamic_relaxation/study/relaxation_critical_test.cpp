@@ -207,6 +207,27 @@ TEST(CriticalValue, HasTwoLimitsWhereMoreMayHoldBlocks) {
     EXPECT_EQ(find_critical(column).status, CriticalStatus::fails_everywhere);
 }
 
+// Two columns that statics can hold by friction beside each other do so with stiff joints alone: 1.72, and 0.29 with
+// joints of a tenth of the stiffness.
+TEST(CriticalValue, ThatHangsOnTheStiffnessOfJointsSaysSo) {
+    RelaxationStudy study =
+        on_a_floor({{{0, 0}, {1.64, 0}, {1.64, 3.49}, {0, 3.49}}, {{1.64, 0}, {3.585, 0}, {3.585, 3.49}, {1.64, 3.49}}},
+                   degrees(43));
+    std::get<RelaxationPolygons>(study.model.scene).tilt = degrees(26);
+    study.critical = ReductionSearch{};
+    const CriticalAnswer critical = find_critical(study);
+    ASSERT_EQ(critical.status, CriticalStatus::found);
+    const std::optional<OtherPath> tried = try_other_path(study, critical);
+    ASSERT_TRUE(tried && tried->stands);
+    ASSERT_TRUE(tried->fails_if_softer);
+    EXPECT_EQ(*tried->fails_if_softer, 0.95 * critical.stands);
+
+    RelaxationStudy block = on_a_floor({{{0, 0}, {2, 0}, {2, 1}, {0, 1}}}, degrees(43));
+    std::get<RelaxationPolygons>(block.model.scene).tilt = degrees(26);
+    block.critical = ReductionSearch{};
+    EXPECT_FALSE(try_other_path(block, find_critical(block))->fails_if_softer);
+}
+
 // A block fails at both bounds of the search and stands between them: at a greater tilt on either side, and where a
 // push up the slope is too much for less weight, and not enough for more.
 TEST(CriticalValue, IsFoundBetweenBoundsThatFail) {
@@ -219,14 +240,23 @@ TEST(CriticalValue, IsFoundBetweenBoundsThatFail) {
     const double weight = 2500 * 4 * Gravity{}.acceleration;
     const double slope = degrees(40);
     const double resisted = std::tan(degrees(20)) * std::cos(slope);
-    constexpr double greatest = 3;  // 1.18 is the least
     std::get<RelaxationPolygons>(study.model.scene).tilt = slope;
-    study.model.force = {{2, 2, 0.1, greatest * weight * (std::sin(slope) - resisted), 0}};
+    const auto search = [&](double greatest, double lower, double upper, LoadingPath path) {
+        study.model.force = {{2, 2, 0.1, greatest * weight * (std::sin(slope) - resisted), 0}};
+        study.critical = WeightSearch{lower, upper, {}, path, {}};
+        return find_critical(study);
+    };
     for (const auto path : {LoadingPath::consolidated, LoadingPath::preloaded}) {
-        study.critical = WeightSearch{{}, {}, {}, path, {}};
-        const CriticalAnswer pushed = find_critical(study);
-        ASSERT_EQ(pushed.status, CriticalStatus::found);
-        EXPECT_NEAR(pushed.value(), greatest, 0.01) << "likewise";
+        for (const double greatest : {3.0, 0.5}) {  // the least is 0.395 of it
+            for (const double upper : {100.0, 1.5 * greatest}) {
+                const CriticalAnswer pushed = search(greatest, 0.1, upper, path);
+                ASSERT_EQ(pushed.status, CriticalStatus::found) << greatest << ' ' << upper;
+                EXPECT_NEAR(pushed.value(), greatest, 0.01) << "likewise";
+            }
+        }
+        const CriticalAnswer beyond = search(3, 4, 10, path);
+        EXPECT_EQ(beyond.status, CriticalStatus::fails_everywhere) << "it does not look outside its bounds";
+        EXPECT_FALSE(beyond.seen_to_stand);
     }
 }
 
