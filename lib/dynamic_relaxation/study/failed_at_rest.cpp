@@ -137,6 +137,15 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
 
 }  // namespace
 
+bool any_is_drawn_apart(const RelaxationScene& scene) {
+    const Bodies bodies = make_bodies(scene);
+    std::vector<char> faces = bodies.fixed;
+    for (const SharedFace& face : find_shared_faces(bodies)) {
+        faces[face.block] = faces[face.other] = 1;
+    }
+    return std::ranges::find(faces, 0) != faces.end();
+}
+
 std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, InitialContact contact,
                                               const RelaxationState* begun_at) {
     const std::vector<Motion> unmoved(simulation.bodies().size());

@@ -10,6 +10,10 @@ namespace delabole {
 // Whether blocks are drawn lying on each other, so that they rest where they begin or fail.
 enum class InitialContact { drawn, perhaps_none };
 
+// Whether a free block shares no face with another. Its fall onto others is no failure, but without inertia it would
+// count as creep beyond onset.
+bool any_is_drawn_apart(const RelaxationScene& scene);
+
 // The state of such blocks at the end of a run, with displacements since they began; nothing if they stand or the run
 // has failed by itself. They have failed if
 // - they rest beyond the threshold of onset, in rotation far beyond, from where they began: the state at rest

@@ -65,7 +65,7 @@ class PathSearch {
           settings_(settings_for(study, work, scene_)) {
         // A search needs neither the motion after onset nor the time until then.
         settings_.stop_at_onset = true;
-        settings_.creep = true;
+        settings_.creep = !any_is_drawn_apart(scene_);
         settings_.stop_at_equilibrium = true;
         if (path_ == LoadingPath::preloaded || path_ == LoadingPath::gravity || path_ == LoadingPath::sudden) {
             for (Removal& removal : scene_.removal) {
@@ -334,6 +334,25 @@ class PathSearch {
     std::map<double, CriticalProbe> standing_ = {};
 };
 
+// A run from the initial geometry at a share of the ratio found to stand, with joints of a share of their stiffness, in
+// as many steps as the search, at least a thousand. Interrupted where no ratio was found.
+std::pair<double, RelaxationOutcome> tried_below(const RelaxationStudy& study, const CriticalPlan& plan,
+                                                 LoadingPath path, const CriticalAnswer& found, double share,
+                                                 double stiffness, const RelaxationWatch& watch) {
+    const double value = found.stands < found.fails ? share * found.stands : found.stands / share;
+    if (found.status != CriticalStatus::found) {
+        return {value, RelaxationOutcome::interrupted};
+    }
+    constexpr std::uint64_t fewest_steps = 1000;
+    StudyWork work;
+    work.watch = watch;
+    StudyProgress whole;
+    SearchProgress progress;
+    PathSearch search(study, plan, path, work, whole, progress);
+    search.multiply_stiffness(stiffness);
+    return {value, search.run_at(value, std::max(found.steps, fewest_steps)).outcome};
+}
+
 }  // namespace
 
 CriticalParameter parameter_of(const CriticalRequest& request) {
@@ -352,15 +371,6 @@ std::string_view name_of_critical(CriticalParameter parameter) {
         break;
     }
     return "critical_weight_factor";
-}
-
-bool has_record_of_shaking(const RelaxationStudy& study) {
-    return study.model.shaking.size() > 1;
-}
-
-bool has_stages(const RelaxationStudy& study) {
-    const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene);
-    return !study.model.removal.empty() || (slope != nullptr && !slope->stage.empty());
 }
 
 CriticalPlan critical_plan(const RelaxationStudy& study) {
@@ -456,35 +466,23 @@ CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work
 std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const CriticalAnswer& found,
                                         const RelaxationWatch& watch) {
     const CriticalPlan plan = critical_plan(study);
-    if (found.status != CriticalStatus::found || plan.path.size() != 1 || found.path != LoadingPath::consolidated ||
-        !plan.is_ratio()) {
+    if (found.path != LoadingPath::consolidated || plan.path.size() != 1 || !plan.is_ratio()) {
         return std::nullopt;
     }
-    constexpr double less_demanding = 0.98;
-    constexpr double less_if_softer = 0.95;
-    constexpr double softer = 0.1;
+    const auto [value, outcome] = tried_below(study, plan, LoadingPath::preloaded, found, 0.98, 1, watch);
+    const bool stands = outcome == RelaxationOutcome::equilibrium;
+    return stands || shows_failure(outcome) ? std::optional(OtherPath{value, stands}) : std::nullopt;
+}
+
+std::optional<double> fails_if_softer(const RelaxationStudy& study, const CriticalAnswer& found,
+                                      const RelaxationWatch& watch) {
     constexpr std::size_t few_blocks = 200;
-    constexpr std::uint64_t fewest_steps = 1000;
-    StudyWork work;
-    work.watch = watch;
-    const auto less = [&](double by) { return found.stands < found.fails ? by * found.stands : found.stands / by; };
-    const auto run_at = [&](double value, double stiffness) {
-        StudyProgress whole;
-        SearchProgress progress;
-        PathSearch search(study, plan, LoadingPath::preloaded, work, whole, progress);
-        search.multiply_stiffness(stiffness);
-        return search.run_at(value, std::max(found.steps, fewest_steps)).outcome;
-    };
-    const double value = less(less_demanding);
-    const RelaxationOutcome outcome = run_at(value, 1);
-    if (outcome != RelaxationOutcome::equilibrium) {
-        return shows_failure(outcome) ? std::optional(OtherPath{value, false, {}}) : std::nullopt;
+    const CriticalPlan plan = critical_plan(study);
+    if (!plan.is_ratio() || relaxation_scene(study).block.size() > few_blocks) {
+        return std::nullopt;
     }
-    OtherPath tried{value, true, {}};
-    if (relaxation_scene(study).block.size() <= few_blocks && shows_failure(run_at(less(less_if_softer), softer))) {
-        tried.fails_if_softer = less(less_if_softer);
-    }
-    return tried;
+    const auto [value, outcome] = tried_below(study, plan, found.path, found, 0.95, 0.1, watch);
+    return shows_failure(outcome) ? std::optional(value) : std::nullopt;
 }
 
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work) {

@@ -186,6 +186,15 @@ void find_early_failure(const RelaxationStudy& study, const std::vector<MotionFr
 
 }  // namespace
 
+bool has_record_of_shaking(const RelaxationStudy& study) {
+    return study.model.shaking.size() > 1;
+}
+
+bool has_stages(const RelaxationStudy& study) {
+    const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene);
+    return !study.model.removal.empty() || (slope != nullptr && !slope->stage.empty());
+}
+
 InitialContact initial_contact(const RelaxationStudy& study) {
     return std::holds_alternative<RelaxationPolygons>(study.model.scene) ? InitialContact::perhaps_none
                                                                          : InitialContact::drawn;

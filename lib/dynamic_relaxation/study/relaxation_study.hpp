@@ -306,18 +306,22 @@ struct CriticalAnswer : PathValue {
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work = {});
 
-// Runs that tell whether the ratio found depends on the loading path, or on the stiffness of the joints, which is
-// seldom known: 2 % below the one at which the blocks were found to stand, from a consolidated state, on the path
-// `preloaded`, which has no history; and 5 % below, of at most 200 blocks, with joints of a tenth of their stiffness.
+// A run that tells whether the ratio found depends on the loading path: 2 % below the one at which the blocks were
+// found to stand, from a consolidated state, on the path `preloaded`, which has no history.
 struct OtherPath {
     double value;
     bool stands;
-    std::optional<double> fails_if_softer;  // the value at which they do
 };
 // Nothing where the search was on other paths, too, or on another one, found no value, or this run reached no verdict
 // in as many steps as the search, at least a thousand.
 std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const CriticalAnswer& found,
                                         const RelaxationWatch& watch = {});
+
+// Whether the ratio found depends on the stiffness of the joints, which is seldom known: 5 % below the one at which at
+// most 200 blocks were found to stand, they fail with joints of a tenth of it. Returns that value; nothing if they
+// stand, or as above.
+std::optional<double> fails_if_softer(const RelaxationStudy& study, const CriticalAnswer& found,
+                                      const RelaxationWatch& watch = {});
 
 // All outputs of a run, as named numbers.
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);

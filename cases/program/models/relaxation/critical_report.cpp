@@ -31,27 +31,15 @@ std::string bracket_in_words(double value, double other, Dimension dimension) {
     return in_digits(value, dimension, std::clamp(digits, fewest, most));
 }
 
-// The nearest values at which blocks were found to stand and to fail. Bounds of a search without an answer are none.
-struct KnownEnds {
-    std::optional<double> stands;
-    std::optional<double> fails;
-};
-
-KnownEnds known_ends(const PathValue& value) {
-    return {value.seen_to_stand ? std::optional(value.stands) : std::nullopt,
-            value.seen_to_fail ? std::optional(value.fails) : std::nullopt};
-}
-
 // "stands", "fails" and the values found for them on one path.
 std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     const Dimension dimension = dimension_of(plan.parameter);
     const std::string last = value_in_words(value.last, dimension);
     const std::string more = plan.stands_low() ? ": raise critical.upper" : ": lower critical.lower";
     const std::string less = plan.stands_low() ? ": lower critical.lower" : ": raise critical.upper";
-    const KnownEnds ends = known_ends(value);
-    const std::string known = ends.stands && ends.fails
-                                  ? ". The blocks stand at " + bracket_in_words(*ends.stands, *ends.fails, dimension) +
-                                        " and fail at " + bracket_in_words(*ends.fails, *ends.stands, dimension)
+    const std::string known = value.seen_to_stand && value.seen_to_fail
+                                  ? ". The blocks stand at " + bracket_in_words(value.stands, value.fails, dimension) +
+                                        " and fail at " + bracket_in_words(value.fails, value.stands, dimension)
                                   : "";
     switch (value.status) {
     case CriticalStatus::found:
@@ -164,17 +152,16 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
                   column_name("stands", dimension), column_name("fails", dimension), "failing_blocks", "runs"});
     const auto add = [&](const PathValue& value) {
         const bool found = value.status == CriticalStatus::found;
-        const KnownEnds ends = known_ends(value);
         const double failing = value.failed ? static_cast<double>(failing_blocks(*value.failed).block.size()) : 0;
         table.rows.push_back({std::string(word_of(value.path)),
                               found ? in_six_digits(value.value(), dimension) : human_name(word_of(value.status)),
-                              ends.stands ? in_six_digits(*ends.stands, dimension) : "none",
-                              ends.fails ? in_six_digits(*ends.fails, dimension) : "none", human_number(failing, 6),
-                              std::to_string(value.runs)});
+                              value.seen_to_stand ? in_six_digits(value.stands, dimension) : "none",
+                              value.seen_to_fail ? in_six_digits(value.fails, dimension) : "none",
+                              human_number(failing, 6), std::to_string(value.runs)});
         csv.add_row({std::string(word_of(value.path)), std::string(word_of(value.status)),
                      found ? Cell(in_display_unit(value.value(), dimension)) : Cell(std::string()),
-                     ends.stands ? Cell(in_display_unit(*ends.stands, dimension)) : Cell(std::string()),
-                     ends.fails ? Cell(in_display_unit(*ends.fails, dimension)) : Cell(std::string()), failing,
+                     value.seen_to_stand ? Cell(in_display_unit(value.stands, dimension)) : Cell(std::string()),
+                     value.seen_to_fail ? Cell(in_display_unit(value.fails, dimension)) : Cell(std::string()), failing,
                      static_cast<double>(value.runs)});
     };
     add(critical);
@@ -299,10 +286,9 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
                       search_sentences(*answer.plan, critical),
                       {}};
         head.sentences.push_back(
-            answer.other_path && answer.other_path->fails_if_softer
+            answer.fails_if_softer
                 ? "It depends on the stiffness of the joints: with a tenth of it the blocks fail at " +
-                      value_in_words(*answer.other_path->fails_if_softer, dimension_of(answer.plan->parameter)) +
-                      " already."
+                      value_in_words(*answer.fails_if_softer, dimension_of(answer.plan->parameter)) + " already."
             : answer.other_path && !answer.other_path->stands
                 ? "It depends on the loading path: with all loads at once the blocks fail at " +
                       value_in_words(answer.other_path->value, dimension_of(answer.plan->parameter)) + " already."
@@ -332,8 +318,10 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
     return head;
 }
 
-void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical,
-                     const std::optional<OtherPath>& other_path) {
+void append_critical(Analysis& analysis, const RelaxationStudyAnswer& answer) {
+    const CriticalPlan& plan = *answer.plan;
+    const CriticalAnswer& critical = *answer.critical;
+    const std::optional<OtherPath>& other_path = answer.other_path;
     const bool found = critical.status == CriticalStatus::found;
     const std::vector<Quantity> names = outputs_of_search(plan);
     const Dimension dimension = dimension_of(plan.parameter);
@@ -341,9 +329,10 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
         analysis.outputs.push_back({key, meaning, of, value, detail});
     };
     append(names.front().name, meaning_of(plan.parameter), dimension, value_or_status(critical), false);
-    const KnownEnds ends = known_ends(critical);
-    append("critical.stands", "nearest value found to stand", dimension, value_or_none(ends.stands), !found);
-    append("critical.fails", "nearest value found to fail", dimension, value_or_none(ends.fails), !found);
+    append("critical.stands", "nearest value found to stand", dimension,
+           critical.seen_to_stand ? Cell(critical.stands) : Cell("none"), !found);
+    append("critical.fails", "nearest value found to fail", dimension,
+           critical.seen_to_fail ? Cell(critical.fails) : Cell("none"), !found);
     append("critical.path", "loading path on which the value was found", Dimension::ratio,
            std::string(word_of(critical.path)), false);
     append("critical.consolidated_at", "value at which the blocks came to rest first", dimension,
@@ -385,16 +374,18 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
                                     value_in_words(other_path->value, dimension) +
                                     ", at which they stand after they were consolidated: the value found depends on "
                                     "the loading path; critical.paths = \"all\" tells how much");
-    } else if (other_path && other_path->fails_if_softer) {
-        analysis.warnings.push_back("with joints of a tenth of their stiffness the blocks fail at " +
-                                    value_in_words(*other_path->fails_if_softer, dimension) +
-                                    " already: what holds them depends on a stiffness that is seldom known");
     } else if (critical.consolidated_at && plan.is_ratio() && *critical.consolidated_at != 1 && plan.lower <= 1 &&
                plan.upper >= 1 && !other_path) {
         analysis.warnings.push_back(
             "the blocks do not stand as the case has them: they were consolidated at a factor of " +
             number_in_words(*critical.consolidated_at) +
             ", on which the value found may depend; critical.paths = \"all\" tells how much");
+    }
+    if (answer.fails_if_softer) {
+        analysis.warnings.push_back("with joints of a tenth of their stiffness the blocks fail at " +
+                                    value_in_words(*answer.fails_if_softer, dimension) +
+                                    " already, and perhaps far below: what holds them depends on a stiffness that is "
+                                    "seldom known");
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cases/program/results/analysis.hpp"
+#include "cases/program/results/answers.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "plots/report/report.hpp"
@@ -19,8 +20,7 @@ struct FailingBlocks {
 // The blocks that had begun to move when a run ended.
 FailingBlocks failing_blocks(const RelaxationRun& failed);
 
-void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical,
-                     const std::optional<OtherPath>& other_path);
+void append_critical(Analysis& analysis, const RelaxationStudyAnswer& answer);
 
 // Why the search has no answer on one of its paths; empty if it has one on each path.
 std::string search_in_words(const CriticalPlan& plan, const CriticalAnswer& critical);

@@ -254,13 +254,22 @@ std::optional<double> bound_of_statics(const RelaxationStudy& study, const Criti
     return initial_contact(study) == InitialContact::perhaps_none && bound == 0.0 ? std::nullopt : bound;
 }
 
-void append_bound_of_statics(InitialContact contact, double bound, const CriticalAnswer& critical, Analysis& analysis) {
+void append_bound_of_statics(const RelaxationStudy& study, const RelaxationScene& scene, double bound,
+                             const CriticalAnswer& critical, Analysis& analysis) {
     analysis.outputs.push_back({"critical.bound_of_statics",
                                 "greatest factor at which faces can take forces in equilibrium, on whatever path",
                                 Dimension::ratio, bound, false});
     constexpr double model_error = 0.01;  // blocks rotate and joints deform before they fail
+    constexpr double well_below = 0.95;
+    const auto is_brittle = [](const JointMaterial& joint) { return joint.residual_cohesion < joint.cohesion; };
+    if (critical.status == CriticalStatus::found && critical.value() < well_below * bound &&
+        std::ranges::any_of(scene.material, is_brittle)) {
+        analysis.warnings.push_back("statics finds forces up to a factor of " + number_in_words(bound) +
+                                    ": joints lose their cohesion where they slip first, and what they held is left to "
+                                    "the rest; residual_cohesion of a joint is what it keeps");
+    }
     if (critical.status == CriticalStatus::found && critical.value() > (1 + model_error) * bound) {
-        const bool may_be_apart = contact == InitialContact::perhaps_none;
+        const bool may_be_apart = initial_contact(study) == InitialContact::perhaps_none;
         analysis.warnings.push_back("beyond a factor of " + number_in_words(bound) + " the blocks rest " +
                                     (may_be_apart ? "on blocks that they did not touch as drawn, or " : std::string()) +
                                     std::string(corners_hold));
@@ -329,7 +338,9 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
         };
         answer.plan = critical_plan(study);
         answer.critical = find_critical(study, how, progress);
-        answer.other_path = try_other_path(study, *answer.critical, [&](double) { return how.watch(1); });
+        const auto last_of_all = [&](double) { return how.watch(1); };
+        answer.other_path = try_other_path(study, *answer.critical, last_of_all);
+        answer.fails_if_softer = fails_if_softer(study, *answer.critical, last_of_all);
         answer.bound_of_statics = bound_of_statics(study, *answer.plan, answer.run.scene);
     }
     const bool has_answer = outcome != RelaxationOutcome::interrupted && run_in_words(answer.run).empty() &&
@@ -369,9 +380,9 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
     leave_unfinished(word_of(made.unfinished() ? RelaxationOutcome::undecided : made.result.outcome),
                      run_in_words(made));
     if (answer.critical) {
-        append_critical(analysis, *answer.plan, *answer.critical, answer.other_path);
+        append_critical(analysis, answer);
         if (answer.bound_of_statics) {
-            append_bound_of_statics(initial_contact(study), *answer.bound_of_statics, *answer.critical, analysis);
+            append_bound_of_statics(study, answer.run.scene, *answer.bound_of_statics, *answer.critical, analysis);
         }
         leave_unfinished(word_of(answer.critical->worst_status()), search_in_words(*answer.plan, *answer.critical));
     }
