@@ -65,7 +65,7 @@ class PathSearch {
           settings_(settings_for(study, work, scene_)) {
         // A search needs neither the motion after onset nor the time until then.
         settings_.stop_at_onset = true;
-        settings_.creep = !any_is_drawn_apart(scene_);
+        settings_.creep = initial_contact(study) == InitialContact::drawn || !any_is_drawn_apart(scene_);
         settings_.stop_at_equilibrium = true;
         if (path_ == LoadingPath::preloaded || path_ == LoadingPath::gravity || path_ == LoadingPath::sudden) {
             for (Removal& removal : scene_.removal) {
