@@ -31,7 +31,7 @@ std::optional<CriticalStatus> no_answer(RelaxationOutcome outcome) {
     return CriticalStatus::not_valid;
 }
 
-// Of a ratio, or of the way of an angle from the bound at which the blocks should stand.
+// Values tried are shares of the ratio found, or of the way to the angle from where the blocks should stand.
 constexpr std::array less_demanding_shares = {0.98, 0.96, 0.93, 0.9};
 constexpr std::array shares_of_angle = {0.9, 0.8, 0.7, 0.5};
 

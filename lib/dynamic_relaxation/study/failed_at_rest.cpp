@@ -128,7 +128,7 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
         return std::nullopt;
     }
     RelaxationState state = since(simulation.state(), unmoved);
-    // Of the blocks that are at fault nothing is known if others have landed.
+    // If blocks have landed, the farthest motion is theirs, and the blocks at fault may not have moved.
     if (within_onset || some_landed) {
         move_to_onset(bodies, settings, std::move(mechanism->motion), state);
     }

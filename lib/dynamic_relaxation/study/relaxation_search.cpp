@@ -199,7 +199,7 @@ class PathSearch {
         return values;
     }
 
-    // Where blocks may stand that fail at both bounds, in the order in which it is tried.
+    // Blocks that fail at both bounds may stand between them. The values are tried in this order.
     std::vector<double> values_between() const {
         std::vector<double> values;
         const double own = plan_.is_ratio() ? own_ratio : scene_.gravity.tilt;
