@@ -37,6 +37,12 @@ struct PairResponse {
     double coupling = 0;         // of the shear force with the displacement along the normal, where it slides
     double normal_damping = 0;   // for a unit pseudo-viscosity of contacts
     double shear_damping = 0;    // for a unit pseudo-viscosity of contacts
+
+    // Whether it adds anything to forces and their changes; a third to a half of all contacts add nothing.
+    bool acts() const {
+        return normal_damping != 0 || normal_stiffness != 0 || shear_stiffness != 0 || coupling != 0 ||
+               shear_damping != 0 || normal_force != 0 || shear_force != 0;
+    }
 };
 
 // Maps displacements of two blocks to the relative displacement of two of their points along a line, and to the

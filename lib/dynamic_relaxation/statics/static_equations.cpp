@@ -20,11 +20,13 @@ PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, co
                      const Arms& arms, ContactMemory& memory, double hair, bool resists) {
     const double overlap = -at.gap;
     const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
-    const double weight = contact_weight(law, contact, at, memory.insists);
+    const bool idle = !memory.touching && (memory.beneath || memory.yields);
+    const bool open = overlap < -hair && !bonded;
+    const double weight =
+        memory.insists || !(idle || (open && !resists)) ? contact_weight(law, contact, at, memory.insists) : 0;
     memory.shear += at.slide - memory.place;
     memory.place = at.slide;
     memory.insists = memory.insists && (weight > 0 || !memory.touching);
-    const bool idle = !memory.touching && (memory.beneath || memory.yields);
     const bool apart = overlap <= 0;
     const unsigned over = over_edge({.touching = memory.touching,
                                      .beneath = memory.beneath,
@@ -35,31 +37,27 @@ PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, co
     // A contact of zero weight stays in touch; it carries no force.
     memory.touching = holds_of_one(bearing_of(over, apart, bonded, 0));
     memory.sliding = false;
-    const bool open = overlap < -hair && !bonded;
     PairResponse response;
-    if (idle || open) {
-        memory.shear = 0;
-        if (idle || !resists) {
-            return response;
+    if (weight != 0 && !idle) {
+        response.normal = arms.along(at.normal_x, at.normal_y, at);
+        response.along = arms.along(at.along_x(), at.along_y(), at);
+        if (resists) {
+            response.normal_damping = weight * law.normal_stiffness;
+            response.shear_damping = weight * law.shear_stiffness;
         }
     }
-    response.normal = arms.along(at.normal_x, at.normal_y, at);
-    response.along = arms.along(at.along_x(), at.along_y(), at);
-    if (resists) {
-        response.normal_damping = weight * law.normal_stiffness;
-        response.shear_damping = weight * law.shear_stiffness;
-        if (open) {
-            return response;
-        }
+    if (idle || open) {
+        memory.shear = 0;
+        return response;
     }
     const double pressing = law.normal_stiffness * std::max(overlap, 0.0);
     const double strength = shear_strength(law, pressing, memory.broken);
-    response.normal_stiffness = weight * law.normal_stiffness;
     const double trial = -law.shear_stiffness * memory.shear;
     const double shear = std::clamp(trial, -strength, strength);
     memory.sliding = slips(trial, strength);
     memory.slip += (shear - trial) / law.shear_stiffness;
     memory.shear = -shear / law.shear_stiffness;
+    response.normal_stiffness = weight * law.normal_stiffness;
     if (memory.sliding) {
         const double friction = memory.broken ? law.residual_friction : law.friction;
         response.coupling = weight * law.normal_stiffness * std::copysign(friction, trial);
@@ -90,6 +88,9 @@ double stiffest_spring(const ContactList& list, const Bonds& bonds, std::span<co
 std::array<double, 36> tangent_of(std::span<const PairResponse> responses, double resisting) {
     std::array<double, 36> tangent{};
     for (const PairResponse& response : responses) {
+        if (!response.acts()) {
+            continue;
+        }
         const std::array<double, 6> normal = response.normal.of_both();
         const std::array<double, 6> along = response.along.of_both();
         const double normal_stiffness = response.normal_stiffness + resisting * response.normal_damping;
@@ -109,6 +110,9 @@ std::array<double, 36> tangent_of(std::span<const PairResponse> responses, doubl
 std::array<double, 6> damping_against(const std::array<double, 6>& moved, std::span<const PairResponse> responses) {
     std::array<double, 6> force{};
     for (const PairResponse& response : responses) {
+        if (!response.acts()) {
+            continue;
+        }
         const auto resist = [&](const PairDirection& direction, double damping) {
             const double by = damping * (direction.x * (moved[0] - moved[3]) + direction.y * (moved[1] - moved[4]) +
                                          direction.lever * moved[2] + direction.other_lever * moved[5]);
@@ -135,6 +139,7 @@ StaticEquations::StaticEquations(const Bodies& bodies, const std::vector<char>& 
       bond_memory_(bond_memory),
       bolts_(bolts),
       unknown_(bodies.size(), none),
+      balanced_alone_(bodies.size(), 0),
       stiffest_(stiffest_spring(list, bonds, bolts)) {
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         if (held[block] == 0) {
@@ -242,6 +247,11 @@ StaticEquations::Places StaticEquations::places_of(const SparsePattern& pattern,
 }
 
 void StaticEquations::evaluate(const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list) {
+    std::ranges::fill(balanced_alone_, 1);
+    evaluate_again(motion, before, list);
+}
+
+void StaticEquations::evaluate_again(const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list) {
     unbalanced_.resize(3 * static_cast<Eigen::Index>(free_blocks_.size()));
     for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
         unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index)) = load_on(free_blocks_[index]);
@@ -249,7 +259,12 @@ void StaticEquations::evaluate(const std::vector<Motion>& motion, const MemoryAr
     contacts_evaluated_ += list.contact.size();
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const ContactBlocks& blocks = list.contact.blocks()[index];
-        take_up(blocks.block, blocks.other, response_of_contact(index, motion, before, list), index);
+        if (balanced_alone_[blocks.block] != 0 || balanced_alone_[blocks.other] != 0) {
+            keep(blocks.block, blocks.other, response_of_contact(index, motion, before, list), index);
+        }
+        if (response_[index].acts()) {
+            add_forces(blocks.block, blocks.other, response_[index]);
+        }
     }
     for (std::size_t index = 0; index < bonds_.list().size(); ++index) {
         const SharedFace& face = bonds_.list()[index].face;
@@ -267,6 +282,7 @@ void StaticEquations::evaluate(const std::vector<Motion>& motion, const MemoryAr
         take_up(segment.block, segment.other, response_of_bolt(bolts_[index], motion),
                 list.contact.size() + 2 * bonds_.list().size() + index);
     }
+    std::ranges::fill(balanced_alone_, 0);
 }
 
 PairResponse StaticEquations::response_of_bolt(const HeldByBolt& bolt, const std::vector<Motion>& motion) const {
@@ -303,10 +319,14 @@ StaticEquations::BlockBalance StaticEquations::balance_of(std::size_t index, con
                                                           const std::vector<Motion>& motion, const MemoryArray& before,
                                                           ContactList& list) {
     const std::size_t block = free_blocks_[index];
+    balanced_alone_[block] = 1;
     const Eigen::Vector3d own_moved = moved.segment<3>(3 * static_cast<Eigen::Index>(index));
     const double resists = resisting.of_blocks * stiffest_;
     BlockBalance balance{load_on(block) - resists * own_moved, resists * Eigen::Matrix3d::Identity()};
     const auto add = [&](std::size_t first, std::size_t second, const PairResponse& response) {
+        if (!response.acts()) {
+            return;
+        }
         const bool is_first = first == block;
         const int other = unknown_[is_first ? second : first];
         const Eigen::Vector3d other_moved = other != none ? moved.segment<3>(other) : Eigen::Vector3d::Zero().eval();
@@ -372,20 +392,29 @@ double StaticEquations::mean_ratio(const Eigen::VectorXd& forces) const {
 }
 
 void StaticEquations::take_up(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index) {
+    keep(block, other, response, index);
+    add_forces(block, other, response_[index]);
+}
+
+void StaticEquations::keep(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index) {
     PairResponse& kept = response_[index];
     kept = response;
     if (block > other) {
         kept.normal = response.normal.of_other_first();
         kept.along = response.along.of_other_first();
-        std::swap(block, other);
     }
+}
+
+void StaticEquations::add_forces(std::size_t block, std::size_t other, const PairResponse& kept) {
+    const int first = unknown_[std::min(block, other)];
+    const int second = unknown_[std::max(block, other)];
     const Eigen::Vector3d force = kept.normal_force * kept.normal.of_first() + kept.shear_force * kept.along.of_first();
-    if (unknown_[block] != none) {
-        unbalanced_.segment<3>(unknown_[block]) += force;
+    if (first != none) {
+        unbalanced_.segment<3>(first) += force;
     }
-    if (unknown_[other] != none) {
+    if (second != none) {
         const double moment = kept.normal_force * kept.normal.other_lever + kept.shear_force * kept.along.other_lever;
-        unbalanced_.segment<3>(unknown_[other]) += Eigen::Vector3d(-force.x(), -force.y(), moment);
+        unbalanced_.segment<3>(second) += Eigen::Vector3d(-force.x(), -force.y(), moment);
     }
 }
 

@@ -47,6 +47,8 @@ class StaticEquations {
     // `before` of the contacts. `list`, which has the constructor's contacts in the same order, gets their present
     // memories.
     void evaluate(const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list);
+    // Does the same where, since the last evaluation, only blocks have moved whose own balance was computed.
+    void evaluate_again(const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list);
 
     // Three numbers for each free block: x force, y force, moment over radius.
     const Eigen::VectorXd& unbalanced() const { return unbalanced_; }
@@ -107,8 +109,10 @@ class StaticEquations {
     PairResponse response_of_contact(std::size_t index, const std::vector<Motion>& motion, const MemoryArray& before,
                                      ContactList& list);
     PairResponse response_of_bolt(const HeldByBolt& bolt, const std::vector<Motion>& motion) const;
-    // Adds the forces between two blocks, and stores the response.
+    // Stores the response of two blocks, and adds the forces between them.
     void take_up(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index);
+    void keep(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index);
+    void add_forces(std::size_t block, std::size_t other, const PairResponse& kept);
 
     const Bodies& bodies_;
     const std::vector<Eigen::Vector3d>& loads_;
@@ -116,7 +120,8 @@ class StaticEquations {
     const std::vector<BondMemory>& bond_memory_;
     std::span<const HeldByBolt> bolts_;
     std::vector<std::size_t> free_blocks_ = {};
-    std::vector<int> unknown_;  // first of a block's three unknowns; `none` where the block is held
+    std::vector<int> unknown_;          // first of a block's three unknowns; `none` where the block is held
+    std::vector<char> balanced_alone_;  // of all blocks: since the last evaluation
     std::vector<Pair> pairs_ = {};
     std::vector<PairResponse> response_ = {};                 // of the contacts, two of each bond, of the bolts
     std::vector<std::vector<std::size_t>> contacts_of_ = {};  // of each free block

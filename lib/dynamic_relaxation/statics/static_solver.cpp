@@ -246,17 +246,21 @@ class StaticSolver {
             const std::vector<Motion> from = motion;
             const Eigen::VectorXd moved_before = step.moved;
             const double lacked = lacks;
-            const auto weigh = [&] {
-                equations_.evaluate(motion, before, list);
+            const auto compare = [&] {
                 lacking = equations_.unbalanced() - equations_.resistance(resisting, step.moved);
                 lacks = equations_.mean_ratio(lacking);
+            };
+            const auto weigh = [&] {
+                equations_.evaluate(motion, before, list);
+                compare();
             };
             const auto follow_alone = [&] {
                 const std::vector<Motion> together = motion;
                 const Eigen::VectorXd moved_together = step.moved;
                 const double lacks_together = lacks;
                 balance_one_by_one(resisting, lacking, before, equations_, step.moved, motion, list);
-                weigh();
+                equations_.evaluate_again(motion, before, list);
+                compare();
                 if (!(lacks < lacks_together)) {
                     motion = together;
                     step.moved = moved_together;
