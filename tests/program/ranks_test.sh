@@ -40,7 +40,7 @@ same_answers() {
 probability=$source_folder/cases/plane_failure/sau_mau_ping_probability.toml
 write_good_fit good_fit.toml
 cp "$source_folder/cases/delabole_1967/delabole_1967.toml" delabole.toml
-fit=(fit delabole.toml --set fit.starts=3 --set fit.evaluations_per_start=40 --set fit.profile_points=5
+fit=(fit delabole.toml --no-report --set fit.starts=3 --set fit.evaluations_per_start=40 --set fit.profile_points=5
     --set fit.map_points=5 --set fit.posterior.chains=2 --set fit.posterior.draws=40
     --set fit.posterior.evaluations_per_chain=400 --set fit.posterior.evidence_points=32)
 

@@ -71,7 +71,7 @@ expect_complete_results stopped
 
 title "what to measure next, with a fit"
 # With the face held, nearly, which mechanism is first follows the priors.
-delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fitted \
+delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fitted "${quick_fit[@]}" \
     --set 'fit.mechanism[1].parameter[6].prior.standard_deviation=0.05 deg' \
     --set 'fit.mechanism[2].parameter[4].prior.standard_deviation=0.05 deg' \
     --set 'fit.mechanism[3].parameter[4].prior.standard_deviation=0.05 deg'

@@ -8,7 +8,7 @@ write_good_case good.toml
 printf '\n[critical]\nfind = "failure_plane"\nunder = "given_water"\n' >>good.toml
 
 title "fit of the Delabole failure"
-delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fit
+delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fit "${quick_fit[@]}"
 expect_status 0
 in_browser fit
 expect_order fit/report.html '<section class="head' '<p>Best explanation of the 3 compared' '<nav class="contents"' '<figure>' \

@@ -154,10 +154,14 @@ DELABOLE_INLINED void keep_memory(const ContactSweep& sweep, std::size_t index, 
     put_into<ContactFlagsOf>(sweep.flags[index / packed_size], index % packed_size, memory);
 }
 
-// Leaves a contact that does not yet touch in the same state as advance_contact does.
-DELABOLE_INLINED void stay_open(const ContactSweep& sweep, std::size_t index, double gap) {
-    sweep.force[index] = {};
-    note_opening(sweep, index, gap);
+// Leaves contacts that do not yet touch in the same state as advance_contact does.
+template <IsLanes Lanes>
+DELABOLE_INLINED void stay_open(const ContactSweep& sweep, std::size_t first, unsigned which, const Lanes& gap) {
+    for (; which != 0; which &= which - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(which));
+        sweep.force[first + lane] = {};
+        note_opening(sweep, first + lane, gap[lane]);
+    }
 }
 
 // Leaves a contact that opens in the same state as advance_contact does.
@@ -199,15 +203,11 @@ DELABOLE_INLINED AfterTwin after_twin(const ContactSweep& sweep, const Part<Lane
 // anything. In a moving mass they are a quarter of all contacts evaluated.
 template <IsLanes Lanes>
 DELABOLE_INLINED unsigned remain_past_end(const Part<Lanes>& part, const EdgeEndsOf<Lanes>& ends, const Lanes& weight) {
-    const ContactFlagsOf<FlagGroup>& flags = part.flags;
-    const unsigned let_go_before =
-        part.of(flags.broken) & ~(part.of(flags.touching) | part.of(flags.sliding) | part.of(flags.beneath) |
-                                  part.of(flags.yields) | part.of(flags.insists));
-    const unsigned past = let_go_before & bits(weight == 0.0) & bits(ends.rival != 0.0);
-    return past == 0
-               ? 0
-               : past & bits(part.of(part.numbers.shear) == 0.0) & bits(part.of(part.numbers.normal_drag) == 0.0) &
-                     bits(part.of(part.numbers.shear_drag) == 0.0);
+    const ContactFlagsOf<FlagGroup>& is = part.flags;
+    const unsigned cannot = ~part.of(is.broken) | part.of(is.touching) | part.of(is.sliding) | part.of(is.beneath) |
+                            part.of(is.yields) | part.of(is.insists);
+    return ~cannot & bits((weight == 0.0) & (ends.rival != 0.0) & (part.of(part.numbers.shear) == 0.0) &
+                          (part.of(part.numbers.normal_drag) == 0.0) & (part.of(part.numbers.shear_drag) == 0.0));
 }
 
 // Evaluates the contacts of a part at once, except those that take something over or are held by a bond. Returns the
@@ -228,14 +228,8 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     const ContactPositionOf<Lanes> at = locate<Lanes>(shape, block, other);
     meanwhile();
     const unsigned apart = bits(at.gap >= 0.0);
-    const auto stay_open_all = [&](unsigned which) __attribute__((always_inline)) {
-        for (unsigned left = which; left != 0; left &= left - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            stay_open(sweep, part.first + lane, at.gap[lane]);
-        }
-    };
     if ((duty.may_begin & apart) != 0) {
-        stay_open_all(duty.may_begin & apart);
+        stay_open(sweep, part.first, duty.may_begin & apart, at.gap);
         part.keep(part.of(part.flags.beneath) & ~(duty.may_begin & apart), part.flags.beneath);
     }
     const unsigned meeting = duty.may_begin & ~apart;
@@ -248,7 +242,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     unsigned one_by_one = 0;
     if (meeting != 0) {
         const unsigned past = remain_past_end<Lanes>(part, ends, weight) & meeting;
-        stay_open_all(past);
+        stay_open(sweep, part.first, past, at.gap);
         const unsigned may_bear = meeting & ~past;
         const unsigned yields = part.of(part.flags.yields) & may_bear;
         one_by_one = yields == 0 ? 0 : yields & bits(takes_over<Lanes>(ends, shape.to_end, at));
@@ -266,7 +260,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
                                                      .handed_over = 0,
                                                      .taken_over = 0});
         over |= begin;
-        stay_open_all(together & ~begin);
+        stay_open(sweep, part.first, together & ~begin, at.gap);
     }
     if (over == 0) {
         return one_by_one;

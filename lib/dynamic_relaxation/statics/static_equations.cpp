@@ -273,14 +273,16 @@ void StaticEquations::evaluate_again(const std::vector<Motion>& motion, const Me
                 respond(bonds_.list()[index], locate(face, motion[face.block], motion[face.other]),
                         {bodies_.radius[face.block], bodies_.radius[face.other]});
             for (std::size_t part = 0; part < responses.size(); ++part) {
-                take_up(face.block, face.other, responses[part], list.contact.size() + 2 * index + part);
+                add_forces(face.block, face.other,
+                           keep(face.block, face.other, responses[part], list.contact.size() + 2 * index + part));
             }
         }
     }
     for (std::size_t index = 0; index < bolts_.size(); ++index) {
         const BoltSegment& segment = bolts_[index].segment;
-        take_up(segment.block, segment.other, response_of_bolt(bolts_[index], motion),
-                list.contact.size() + 2 * bonds_.list().size() + index);
+        add_forces(segment.block, segment.other,
+                   keep(segment.block, segment.other, response_of_bolt(bolts_[index], motion),
+                        list.contact.size() + 2 * bonds_.list().size() + index));
     }
     std::ranges::fill(balanced_alone_, 0);
 }
@@ -391,18 +393,15 @@ double StaticEquations::mean_ratio(const Eigen::VectorXd& forces) const {
     return std::sqrt(sum / static_cast<double>(free_blocks_.size()));
 }
 
-void StaticEquations::take_up(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index) {
-    keep(block, other, response, index);
-    add_forces(block, other, response_[index]);
-}
-
-void StaticEquations::keep(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index) {
+const PairResponse& StaticEquations::keep(std::size_t block, std::size_t other, const PairResponse& response,
+                                          std::size_t index) {
     PairResponse& kept = response_[index];
     kept = response;
     if (block > other) {
         kept.normal = response.normal.of_other_first();
         kept.along = response.along.of_other_first();
     }
+    return kept;
 }
 
 void StaticEquations::add_forces(std::size_t block, std::size_t other, const PairResponse& kept) {

@@ -109,9 +109,8 @@ class StaticEquations {
     PairResponse response_of_contact(std::size_t index, const std::vector<Motion>& motion, const MemoryArray& before,
                                      ContactList& list);
     PairResponse response_of_bolt(const HeldByBolt& bolt, const std::vector<Motion>& motion) const;
-    // Stores the response of two blocks, and adds the forces between them.
-    void take_up(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index);
-    void keep(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index);
+    // Stores the response of two blocks to each other.
+    const PairResponse& keep(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index);
     void add_forces(std::size_t block, std::size_t other, const PairResponse& kept);
 
     const Bodies& bodies_;
