@@ -33,7 +33,8 @@ expect_refused() {
 page "$drawing" >"$work/page.html"
 "$here/report_in_browser" "$work/page.html" || { echo "refused a good page" >&2; failed=1; }
 expect_refused "$drawing<img src='https://example.org/a.png' alt=''><script>console.error('broken')</script>
-<script>nothing()</script>" 'outside itself' 'console is not empty' '"broken"' 'nothing is not defined'
+<script>nothing()</script><script>setTimeout(() => late(), 0)</script>" \
+    'outside itself' 'console is not empty' '"broken"' 'nothing is not defined' 'late is not defined'
 expect_refused "$drawing
 <figure>Figure missing</figure>
 <figure><svg width='0' height='0'><path d='M0,0 L9,9'/></svg></figure>

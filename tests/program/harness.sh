@@ -11,7 +11,7 @@ mkdir "$work"
 trap 'rm -rf "$scratch"' EXIT
 cd "$work"
 
-# Options for a fit of the Delabole case whose digits do not matter: half of its time.
+# A quicker fit of the Delabole case, for tests that do not depend on its digits. It takes half the time.
 quick_fit=(--set fit.starts=4 --set fit.profile_points=5 --set fit.map_points=5 --set fit.posterior.chains=4
     --set fit.posterior.draws=1000 --set fit.posterior.evidence_points=64)
 

@@ -65,6 +65,11 @@ ranks 3 "${fit[@]}" --out fit_3 --threads 2 --quiet
 expect_status "$one"
 same_answers fit_1 fit_3
 
+title "two ranks write one report"
+ranks 2 fit good_fit.toml --quiet --out good_fit_2
+expect_status 0
+expect_complete_results good_fit_2
+
 title "a mistake is told once"
 sed 's/standard_deviation = 0.05/standard_deviation = 0/' good_fit.toml >bad.toml
 ranks 2 fit bad.toml

@@ -8,6 +8,9 @@ write_good_case good.toml
 printf '\n[critical]\nfind = "failure_plane"\nunder = "given_water"\n' >>good.toml
 
 title "fit of the Delabole failure"
+if [[ -n ${REPORTS_SCREENSHOTS:-} ]]; then
+    quick_fit=()
+fi
 delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fit "${quick_fit[@]}"
 expect_status 0
 in_browser fit

@@ -199,10 +199,11 @@ DELABOLE_INLINED AfterTwin after_twin(const ContactSweep& sweep, const Part<Lane
     return after;
 }
 
-// Contacts past the end of their edge, below the edge's line, that would begin to bear and be let go without changing
-// anything. In a moving mass they are a quarter of all contacts evaluated.
+// Contacts below the edge's line but without weight, past the edge's end or deeper than on its rival. One by one they
+// would begin to bear and be let go, which changes nothing if springs and dashpots hold nothing. (Without a rival they
+// would become `beneath`.) In a moving mass they are a quarter of all contacts evaluated.
 template <IsLanes Lanes>
-DELABOLE_INLINED unsigned remain_past_end(const Part<Lanes>& part, const EdgeEndsOf<Lanes>& ends, const Lanes& weight) {
+DELABOLE_INLINED unsigned stay_weightless(const Part<Lanes>& part, const EdgeEndsOf<Lanes>& ends, const Lanes& weight) {
     const ContactFlagsOf<FlagGroup>& is = part.flags;
     const unsigned cannot = ~part.of(is.broken) | part.of(is.touching) | part.of(is.sliding) | part.of(is.beneath) |
                             part.of(is.yields) | part.of(is.insists);
@@ -228,9 +229,9 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     const ContactPositionOf<Lanes> at = locate<Lanes>(shape, block, other);
     meanwhile();
     const unsigned apart = bits(at.gap >= 0.0);
-    if ((duty.may_begin & apart) != 0) {
-        stay_open(sweep, part.first, duty.may_begin & apart, at.gap);
-        part.keep(part.of(part.flags.beneath) & ~(duty.may_begin & apart), part.flags.beneath);
+    if (const unsigned open = duty.may_begin & apart; open != 0) {
+        stay_open(sweep, part.first, open, at.gap);
+        part.keep(part.of(part.flags.beneath) & ~open, part.flags.beneath);
     }
     const unsigned meeting = duty.may_begin & ~apart;
     if ((duty.bear | meeting) == 0) {
@@ -238,34 +239,33 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     }
     const EdgeEndsOf<Lanes> ends = ends_of<Lanes>(sweep, part);
     const Lanes weight = contact_weight<Lanes>(ends, shape.to_end, at, mask_of<Lanes>(part.of(part.flags.insists)));
-    unsigned over = duty.bear;
+    unsigned begin = 0;
     unsigned one_by_one = 0;
     if (meeting != 0) {
-        const unsigned past = remain_past_end<Lanes>(part, ends, weight) & meeting;
-        stay_open(sweep, part.first, past, at.gap);
-        const unsigned may_bear = meeting & ~past;
+        const unsigned weightless = stay_weightless<Lanes>(part, ends, weight) & meeting;
+        stay_open(sweep, part.first, weightless, at.gap);
+        const unsigned may_bear = meeting & ~weightless;
         const unsigned yields = part.of(part.flags.yields) & may_bear;
-        one_by_one = yields == 0 ? 0 : yields & bits(takes_over<Lanes>(ends, shape.to_end, at));
-        const AfterTwin after = after_twin<Lanes>(sweep, part, may_bear & ~yields);
-        one_by_one |= after.later;
+        const unsigned takes = yields == 0 ? 0 : yields & bits(takes_over<Lanes>(ends, shape.to_end, at));
+        const AfterTwin after = after_twin<Lanes>(sweep, part, (may_bear & ~yields) | takes);
+        one_by_one = (takes | after.later) & ~after.at_once;
         // These contacts are evaluated before the values that they take over change below.
         for (unsigned left = after.at_once; left != 0; left &= left - 1) {
             evaluate_contact(sweep, part.first + static_cast<std::size_t>(std::countr_zero(left)));
         }
         const unsigned together = may_bear & ~one_by_one & ~after.at_once;
-        const unsigned begin = together & over_edge({.touching = 0,
-                                                     .beneath = part.of(part.flags.beneath),
-                                                     .yields = yields,
-                                                     .apart = 0,
-                                                     .handed_over = 0,
-                                                     .taken_over = 0});
-        over |= begin;
+        begin = together & over_edge({.touching = 0,
+                                      .beneath = part.of(part.flags.beneath),
+                                      .yields = yields,
+                                      .apart = 0,
+                                      .handed_over = 0,
+                                      .taken_over = 0});
         stay_open(sweep, part.first, together & ~begin, at.gap);
     }
+    const unsigned over = duty.bear | begin;
     if (over == 0) {
         return one_by_one;
     }
-    const unsigned begin = over & ~duty.bear;
     const JointLawOf<Lanes> joint = gather_joint<Lanes>(sweep, part.contact);
     const unsigned broken = part.of(part.flags.broken);
     const unsigned pulls = (over & apart) == 0 ? 0 : ~broken & bits(joint.tension > 0.0);

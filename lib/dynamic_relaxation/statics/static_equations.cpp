@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -22,6 +23,7 @@ PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, co
     const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
     const bool idle = !memory.touching && (memory.beneath || memory.yields);
     const bool open = overlap < -hair && !bonded;
+    // Computed only where something depends on it, because it takes much of the time.
     const double weight =
         memory.insists || !(idle || (open && !resists)) ? contact_weight(law, contact, at, memory.insists) : 0;
     memory.shear += at.slide - memory.place;
@@ -87,10 +89,7 @@ double stiffest_spring(const ContactList& list, const Bonds& bonds, std::span<co
 // pseudo-viscosity.
 std::array<double, 36> tangent_of(std::span<const PairResponse> responses, double resisting) {
     std::array<double, 36> tangent{};
-    for (const PairResponse& response : responses) {
-        if (!response.acts()) {
-            continue;
-        }
+    for (const PairResponse& response : responses | std::views::filter(&PairResponse::acts)) {
         const std::array<double, 6> normal = response.normal.of_both();
         const std::array<double, 6> along = response.along.of_both();
         const double normal_stiffness = response.normal_stiffness + resisting * response.normal_damping;
@@ -109,10 +108,7 @@ std::array<double, 36> tangent_of(std::span<const PairResponse> responses, doubl
 // Resisting forces of a unit pseudo-viscosity for displacements of both blocks.
 std::array<double, 6> damping_against(const std::array<double, 6>& moved, std::span<const PairResponse> responses) {
     std::array<double, 6> force{};
-    for (const PairResponse& response : responses) {
-        if (!response.acts()) {
-            continue;
-        }
+    for (const PairResponse& response : responses | std::views::filter(&PairResponse::acts)) {
         const auto resist = [&](const PairDirection& direction, double damping) {
             const double by = damping * (direction.x * (moved[0] - moved[3]) + direction.y * (moved[1] - moved[4]) +
                                          direction.lever * moved[2] + direction.other_lever * moved[5]);
@@ -139,7 +135,7 @@ StaticEquations::StaticEquations(const Bodies& bodies, const std::vector<char>& 
       bond_memory_(bond_memory),
       bolts_(bolts),
       unknown_(bodies.size(), none),
-      balanced_alone_(bodies.size(), 0),
+      to_evaluate_(bodies.size(), 0),
       stiffest_(stiffest_spring(list, bonds, bolts)) {
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         if (held[block] == 0) {
@@ -247,7 +243,7 @@ StaticEquations::Places StaticEquations::places_of(const SparsePattern& pattern,
 }
 
 void StaticEquations::evaluate(const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list) {
-    std::ranges::fill(balanced_alone_, 1);
+    std::ranges::fill(to_evaluate_, 1);
     evaluate_again(motion, before, list);
 }
 
@@ -256,10 +252,11 @@ void StaticEquations::evaluate_again(const std::vector<Motion>& motion, const Me
     for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
         unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index)) = load_on(free_blocks_[index]);
     }
+    // All contacts count, also those whose responses are kept: the number limits the work of some trials.
     contacts_evaluated_ += list.contact.size();
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const ContactBlocks& blocks = list.contact.blocks()[index];
-        if (balanced_alone_[blocks.block] != 0 || balanced_alone_[blocks.other] != 0) {
+        if (to_evaluate_[blocks.block] != 0 || to_evaluate_[blocks.other] != 0) {
             keep(blocks.block, blocks.other, response_of_contact(index, motion, before, list), index);
         }
         if (response_[index].acts()) {
@@ -284,7 +281,7 @@ void StaticEquations::evaluate_again(const std::vector<Motion>& motion, const Me
                    keep(segment.block, segment.other, response_of_bolt(bolts_[index], motion),
                         list.contact.size() + 2 * bonds_.list().size() + index));
     }
-    std::ranges::fill(balanced_alone_, 0);
+    std::ranges::fill(to_evaluate_, 0);
 }
 
 PairResponse StaticEquations::response_of_bolt(const HeldByBolt& bolt, const std::vector<Motion>& motion) const {
@@ -321,7 +318,7 @@ StaticEquations::BlockBalance StaticEquations::balance_of(std::size_t index, con
                                                           const std::vector<Motion>& motion, const MemoryArray& before,
                                                           ContactList& list) {
     const std::size_t block = free_blocks_[index];
-    balanced_alone_[block] = 1;
+    to_evaluate_[block] = 1;
     const Eigen::Vector3d own_moved = moved.segment<3>(3 * static_cast<Eigen::Index>(index));
     const double resists = resisting.of_blocks * stiffest_;
     BlockBalance balance{load_on(block) - resists * own_moved, resists * Eigen::Matrix3d::Identity()};

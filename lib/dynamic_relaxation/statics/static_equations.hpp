@@ -47,7 +47,9 @@ class StaticEquations {
     // `before` of the contacts. `list`, which has the constructor's contacts in the same order, gets their present
     // memories.
     void evaluate(const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list);
-    // Does the same where, since the last evaluation, only blocks have moved whose own balance was computed.
+
+    // The same if, since the last evaluation, only blocks have moved for which balance_of was called, and nothing else
+    // has changed: computes the forces of their contacts only.
     void evaluate_again(const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list);
 
     // Three numbers for each free block: x force, y force, moment over radius.
@@ -119,8 +121,8 @@ class StaticEquations {
     const std::vector<BondMemory>& bond_memory_;
     std::span<const HeldByBolt> bolts_;
     std::vector<std::size_t> free_blocks_ = {};
-    std::vector<int> unknown_;          // first of a block's three unknowns; `none` where the block is held
-    std::vector<char> balanced_alone_;  // of all blocks: since the last evaluation
+    std::vector<int> unknown_;       // first of a block's three unknowns; `none` where the block is held
+    std::vector<char> to_evaluate_;  // of all blocks: whether their contacts may have changed
     std::vector<Pair> pairs_ = {};
     std::vector<PairResponse> response_ = {};                 // of the contacts, two of each bond, of the bolts
     std::vector<std::vector<std::size_t>> contacts_of_ = {};  // of each free block

@@ -52,6 +52,24 @@ TEST(LocalBalance, MovesWhatLacksBalanceAndNothingElse) {
     }
     EXPECT_LE(motion[hanging].y,
               -0.8 * sunk);  // on the base, within the tenth of the weight that is left and what resists
+
+    // After a block was balanced alone, contacts need to be evaluated only around it.
+    equations.let_contacts_resist();
+    equations.evaluate(motion, before, list);
+    const PseudoViscosity resisting{1e-3, 1e-3};
+    balance_one_by_one(resisting, equations.unbalanced(), before, equations, moved, motion, list);
+    equations.evaluate_again(motion, before, list);
+    const Eigen::VectorXd unbalanced = equations.unbalanced();
+    const Eigen::VectorXd resistance = equations.resistance(resisting, moved);
+    const MemoryArray memory = list.memory;
+    equations.evaluate(motion, before, list);
+    EXPECT_EQ(unbalanced, equations.unbalanced());
+    EXPECT_EQ(resistance, equations.resistance(resisting, moved));
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        EXPECT_EQ(memory[index].touching, list.memory[index].touching) << index;
+        EXPECT_EQ(memory[index].shear, list.memory[index].shear) << index;
+        EXPECT_EQ(memory[index].place, list.memory[index].place) << index;
+    }
 }
 
 }  // namespace
