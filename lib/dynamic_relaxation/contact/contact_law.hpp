@@ -109,9 +109,10 @@ DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Num
     // A ramp is no steeper than the overlap allows, because a weight that changes faster acts as a stiffer spring. At
     // an end where a corner does not bear, it begins to bear at half its overlap from that end: a point can stand on a
     // point.
-    const auto ramp = [&](const Number& depth, const Number& rise) __attribute__((always_inline)) {
-        const auto steep = depth * ends.inverse_blend > rise;
-        return any(steep) ? select(steep, rise / depth, ends.inverse_blend) : ends.inverse_blend;
+    constexpr double least_rise = 0.25;
+    const bool deep = any(overlap * ends.inverse_blend > least_rise);
+    const auto ramp = [&](const Number& depth, const Number& rise) {
+        return deep ? select(depth * ends.inverse_blend > rise, rise / depth, ends.inverse_blend) : ends.inverse_blend;
     };
     // The rise is 1 for a weight that begins at -0.5, 0.5 for one that begins at 0.5, 0.25 for one that begins at 1.
     const auto rise_from = [](const Number& least) { return 0.75 - 0.5 * least; };
