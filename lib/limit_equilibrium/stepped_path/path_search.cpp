@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace delabole {
 
@@ -88,15 +87,12 @@ class ColumnSearch {
         }
     }
 
-    static constexpr std::uint32_t no_wedge = static_cast<std::uint32_t>(-1);
+    static constexpr std::size_t no_wedge = static_cast<std::size_t>(-1);
     // The neighbour above a column: the next column on a level, with the place of its need in the list of its needs;
     // or, if the level is one past the last, a wedge, or a crack without one.
     struct Choice {
-        std::uint32_t level, place;
+        std::size_t level, place;
     };
-    static Choice choice(std::size_t level, std::size_t place) {
-        return {static_cast<std::uint32_t>(level), static_cast<std::uint32_t>(place)};
-    }
     struct Need {
         double need;
         Choice where;
@@ -107,8 +103,9 @@ class ColumnSearch {
         std::size_t first = 0, end = 0;
     };
 
-    // Sorts the needs from `first` on, of which few are out of order.
-    static void sort(std::vector<Need>& list, std::size_t first) {
+    // Reduces the needs from `first` on, which are sorted except for a few: of equal ones the first stays, and of more
+    // than `most_needs` those whose ranks are evenly spaced.
+    static void thin(std::vector<Need>& list, std::size_t first) {
         const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
         for (auto next = begin; next != list.end(); ++next) {
             if (next != begin && std::prev(next)->need < next->need) {
@@ -116,11 +113,6 @@ class ColumnSearch {
                             next, next + 1);
             }
         }
-    }
-    // Reduces the sorted needs from `first` on: of equal ones the first stays, and of more than `most_needs` those
-    // whose ranks are evenly spaced.
-    static void thin(std::vector<Need>& list, std::size_t first) {
-        const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
         const auto equal = [](const Need& one, const Need& next) { return one.need == next.need; };
         list.erase(std::unique(begin, list.end(), equal), list.end());
         const std::size_t count = list.size() - first;
@@ -198,18 +190,17 @@ class ColumnSearch {
     // Joins the needs of a column on a level, from `needs_`, with those on higher levels, from `here_`.
     Span join(const Span& higher, const Span& own, std::size_t level, bool all) {
         const std::size_t first = here_.size();
-        here_.resize(first + (higher.end - higher.first) + (own.end - own.first));
-        auto to = here_.begin() + static_cast<std::ptrdiff_t>(first);
         std::size_t place = own.first;
         const auto take = [&] {
-            *to++ = {needs_[place].need, choice(level, place - own.first)};
+            here_.push_back({needs_[place].need, {level, place - own.first}});
             ++place;
         };
         for (std::size_t other = higher.first; other < higher.end; ++other) {
             while (place < own.end && needs_[place].need > here_[other].need) {
                 take();
             }
-            *to++ = here_[other];
+            const Need copy = here_[other];
+            here_.push_back(copy);
         }
         while (place < own.end) {
             take();
@@ -269,21 +260,20 @@ class ColumnSearch {
                     offer(law.from(above_[from.first].need), above_[from.first].where);
                 }
                 if (crack_allowed) {
-                    offer({}, choice(levels, no_wedge));
+                    offer({}, {levels, no_wedge});
                 }
                 for (std::size_t index = 0; index < pushes.size(); ++index) {
                     if (pushes[index] && lattice_.wedges[column][index].depth <= cell.upper_reach) {
-                        offer(*pushes[index], choice(levels, index));
+                        offer(*pushes[index], {levels, index});
                     }
                 }
-                sort(needs_, begin);
                 thin(needs_, begin);
                 chosen[column * levels + level] = {begin, needs_.size()};
                 if (cell.at_face) {
                     if (needs_.size() > begin && needs_[begin].need > most) {
                         most = needs_[begin].need;
                         first = column;
-                        toe = choice(level, 0);
+                        toe = {level, 0};
                     }
                     continue;
                 }
