@@ -81,7 +81,6 @@ Variances variances(const std::vector<Chain>& chains) {
     return {within, within * (length - 1) / length + between};
 }
 
-// Square root of the ratio of the variance of all chains together to the variance within chains.
 double variance_ratio(const std::vector<Chain>& chains) {
     const Variances v = variances(chains);
     return v.within > 0 ? std::sqrt(v.together / v.within) : std::numeric_limits<double>::infinity();

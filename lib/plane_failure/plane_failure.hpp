@@ -65,11 +65,8 @@ struct PlaneFailureResult {
             section<&R::outcome>("what the slope does"),
             section<&R::crack_location>("which surface the crack opens in"),
             number<&R::factor_of_safety>("factor of safety against sliding"),
-            number<&R::friction_margin>(
-                D::angle,
-                "by how much the angle of the resisting force to the normal force exceeds that of the driving "
-                "force: 0 where the factor of safety is 1, and bounded where that is not, as for a friction angle "
-                "near 90 deg"),
+            number<&R::friction_margin>(D::angle,
+                                        "atan(resisting/normal) - atan(driving/normal): 0 at a factor of safety of 1"),
             number<&R::plane_dip>(D::angle, "dip of the failure plane"),
             number<&R::crack_dip>(D::angle, "dip of the tension crack"),
             number<&R::crack_depth>(D::length, "vertical depth of the tension crack"),

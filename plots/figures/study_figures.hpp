@@ -28,7 +28,7 @@ std::optional<Figure> profile_likelihood_figure(const MechanismFit& fit, std::st
 // predicted. `toe_elevation` is added to heights.
 std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult& result, double toe_elevation);
 
-// "flat priors", "half the model error".
+// The name of a variant as a figure shows it, e.g. "flat priors".
 std::string variant_in_words(EvidenceVariant variant);
 
 // The parts of the logarithm of each mechanism's evidence as bars to the left of 0, the shortest on top: misfit of the

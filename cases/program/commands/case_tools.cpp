@@ -1,4 +1,4 @@
-// delabole check, show and init
+// delabole check, show, init, inputs and outputs
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/case/model_outputs.hpp"
 #include "cases/program/case/starting_cases.hpp"

@@ -15,8 +15,8 @@ struct DescribedOption {
 struct DescribedCommand {
     std::string name;
     std::string meaning;
-    std::string argument = {};            // "CASE"; empty for none
-    std::string argument_meaning = {};    //
+    std::string argument = {};  // "CASE"; empty for none
+    std::string argument_meaning = {};
     std::vector<std::string> words = {};  // words that the argument may be, besides a file
     std::vector<DescribedOption> options = {};
     std::string footer = {};  // an example

@@ -1,11 +1,15 @@
 // The local server of `delabole live`. It listens on 127.0.0.1 only and answers only clients that know its token.
 //
-// It refuses, each with a status of its own: a Host that is not this address (403: another name that leads here, DNS
-// rebinding), an Origin that is not this page (403: a page from elsewhere), a request without the token (401), a body
-// of more than 256 kB (413), what is not JSON or not a possible request, a body or an answer in parts or compressed
-// (400), any other path (404). For all but 400, which the page shows, it prints a line on standard error, at most one a
-// second. Clients that are not admitted are refused before the body is read. A connection that is silent for 1 s is
-// closed, and at most eight are served at a time.
+// It refuses, each with a status:
+//     400  what is not JSON or not a possible request; a body or an answer in parts or compressed
+//     401  a request without the token
+//     403  a Host that is not this address (another name that leads here: DNS rebinding), or an Origin that is not this
+//          page (a page from elsewhere)
+//     404  any other path
+//     413  a body of more than 256 kB
+// For all but 400, which the page shows, it prints a line on standard error, at most one a second. Clients that are not
+// admitted are refused before the body is read. A connection that is silent for 1 s is closed, and at most eight are
+// served at a time.
 #pragma once
 
 #include "cases/program/live/session.hpp"

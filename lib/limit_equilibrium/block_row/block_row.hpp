@@ -59,7 +59,7 @@ struct RowAnswer {
             section<&A::mode>("least stable mode, one letter per block from the lowest up: S slides; F, P, B turns "
                               "with its toe sliding forward, not at all, backward; = adheres to the block below; 0 "
                               "stands; R is pushed back; empty: none is admissible"),
-            number<&A::critical_tilt>(Dimension::angle, "inclination at which that mode begins"),
+            number<&A::critical_tilt>(Dimension::angle, "inclination at which the governing mode begins"),
             section<&A::mode_in_contact>("limiting mode of blocks pressed together; empty: none is admissible"),
             number<&A::critical_tilt_in_contact>(
                 Dimension::angle,

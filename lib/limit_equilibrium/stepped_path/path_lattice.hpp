@@ -43,9 +43,8 @@ struct PathCell {
     double normal = 0;       // of the load, into the base
     double overturning = 0;  // moment of the load about base_from
     double base_length = 0;
-    double lower_contact =
-        0;                   // height of the ground at the lower joint above base_from, along the joint; 0 at the face
-    double upper_reach = 0;  // length of the upper joint from base_to to the ground
+    double lower_contact = 0;  // height of the ground at the lower joint over base_from, along that; 0 at the face
+    double upper_reach = 0;    // length of the upper joint from base_to to the ground
     // Moment about base_from of a unit push at the ground end of the upper joint, and of a unit drag down along it.
     double push_arm = 0;
     double drag_arm = 0;

@@ -17,7 +17,7 @@ std::string in_inches(double metres, int digits) {
     return human_number(metres / inch, digits) + " in";
 }
 
-// The parts of the listing that may be mended.
+// The parts of the listing that may be corrected.
 struct Variant {
     std::string name;
     HockingSlotMemory memory;
