@@ -154,9 +154,7 @@ py::tuple evaluate_case(const CaseObject& object, const std::map<std::string, Co
 }
 
 const SensitivityStudy& sensitivity_of(const CaseFile& file) {
-    if (!file.sensitivity) {
-        throw CaseError({problem_at(file, "sensitivity", "the case has no [sensitivity] section")});
-    }
+    require_section(file.sensitivity.has_value(), file, "sensitivity");
     return *file.sensitivity;
 }
 

@@ -171,9 +171,7 @@ std::vector<Point> points_of(const std::vector<std::pair<double, double>>& pairs
 
 py::dict fit_of(const CaseFile& given, const py::object& progress, const FitRequest& request) {
     CaseFile file = given;
-    if (!file.fit) {
-        throw CaseError({problem_at(file, "fit", "the case has no [fit] section: there is nothing to back-analyse")});
-    }
+    require_section(file.fit.has_value(), file, "fit");
     std::vector<std::string> left_out;
     if (!request.mechanisms.empty()) {
         leave_mechanisms(*file.fit, request.mechanisms);

@@ -279,7 +279,7 @@ expect_output 'what the finest setting found, for want of an [[expect]] of criti
 title "trade needs a relaxation with a [critical] section"
 delabole trade good.toml --out none
 expect_status 3
-expect_error 'good.toml:2:9: model = "plane_failure": is plane_failure: only a relaxation has numerical settings'
+expect_error 'good.toml:2:9: model = "plane_failure": only a relaxation has numerical settings'
 expect_one_line_of_error
 sed '/^\[critical\]/,$d' "$source_folder/cases/relaxation/single_block.toml" >uncritical.toml
 delabole trade uncritical.toml --out none

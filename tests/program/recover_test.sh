@@ -54,7 +54,7 @@ title "nothing to recover"
 write_good_case good.toml
 delabole recover good.toml
 expect_status 3
-expect_error 'the case has no [fit] section: there is nothing to recover'
+expect_error 'the case has no [fit] section; delabole init fit shows one'
 delabole recover sliding.toml --repetitions 0
 expect_status 2
 

@@ -105,7 +105,7 @@ refused "first-order reliability without a limit" '/^\[sensitivity.failure\]/,/l
 title "no [sensitivity] section"
 delabole sensitivity good.toml --out results
 expect_status 3
-expect_error 'sensitivity: the case has no [sensitivity] section'
+expect_error 'sensitivity: the case has no [sensitivity] section; delabole init sensitivity shows one'
 
 title "samples that all fail"
 sed 's/lower = "0 m"/lower = "6 m"/; s/upper = "5 m"/upper = "9 m"/' study.toml >hopeless.toml

@@ -10,6 +10,7 @@
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/result_folder.hpp"
+#include "fitting/work/words.hpp"
 #include "plots/drawing/atomic_file.hpp"
 
 #include <algorithm>
@@ -168,7 +169,7 @@ ExitCode init_command(const CaseToStart& start, const Options& options) {
     const std::string& name = start.name;
     const std::vector<std::string> names = starting_case_names();
     if (std::ranges::find(names, name) == names.end()) {
-        throw UsageError("init: no case to start from is named '" + name + "'; there is " + choices(names) +
+        throw UsageError("init: no case to start from is named '" + name + "'; the names are " + list_in_words(names) +
                          suggestion(name, names));
     }
     if (!start.sets.empty() && name != "jointed_slope") {

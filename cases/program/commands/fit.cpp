@@ -1,6 +1,5 @@
 // delabole fit
 #include "cases/program/commands/commands.hpp"
-#include "cases/program/reader/case_error.hpp"
 #include "cases/program/reports/study_reports.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/kept_evaluations.hpp"
@@ -67,9 +66,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     const Stopwatch watch;
     CaseFile file = read_case(path, settings_of(options));
     show_units_of(file);
-    if (!file.fit) {
-        throw CaseError({problem_at(file, "fit", "the case has no [fit] section: there is nothing to back-analyse")});
-    }
+    require_section(file.fit.has_value(), file, "fit");
     const std::vector<std::string> left_out = choose_mechanisms(*file.fit, options);
     FitProblem problem = fit_problem_of(file, options.threads, options.seed);
     const ResultFolder folder(options, stem_of(file) + "_fit", OnInterrupt::finish);

@@ -10,6 +10,7 @@
 #include "fitting/work/bare_number.hpp"
 #include "fitting/work/evaluation_store.hpp"
 #include "fitting/work/ranks.hpp"
+#include "fitting/work/words.hpp"
 #include "plots/drawing/atomic_file.hpp"
 #include "version/version.hpp"
 
@@ -60,12 +61,13 @@ std::string missing_command(const CLI::App& app, int argument_count, char** argu
     if (word.starts_with('-') || std::ranges::find(commands, word) != commands.end()) {
         return {};
     }
-    return "no command is named '" + word + "'" + delabole::suggestion(word, commands) + "; there is " +
-           delabole::choices(commands);
+    return "no command is named '" + word + "'" + delabole::suggestion(word, commands) + "; the commands are " +
+           delabole::list_in_words(commands);
 }
 
 // Options that several commands take.
-enum Part : unsigned { settings = 1, printing = 2, output = 4, threads = 8, seed = 16, store = 32 };
+enum Part : unsigned { settings = 1, json = 2, quiet = 4, output = 8, threads = 16, seed = 32, store = 64 };
+constexpr unsigned printing = json | quiet;
 constexpr unsigned common = settings | printing;
 
 void add_parts(CLI::App& command, Options& options, unsigned parts) {
@@ -75,24 +77,29 @@ void add_parts(CLI::App& command, Options& options, unsigned parts) {
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
     }
-    if ((parts & printing) != 0) {
+    if ((parts & json) != 0) {
         command.add_flag("--json", options.json, "Print the result as JSON on standard output");
+    }
+    if ((parts & quiet) != 0) {
         command.add_flag("--quiet", options.quiet, "Print nothing but errors (and what --json asks for)");
     }
     if ((parts & output) != 0) {
         command
             .add_option(
                 "--out", options.out,
-                "Folder for the results; by default results/<name of the case>. run puts each of several cases into a "
-                "folder of its name there. It holds one result, which takes the "
-                "place of what files.txt in it lists; other files stay. Symbolic links in it are not followed, and a "
-                "second delabole is refused while one is writing")
+                "Folder for the results; by default results/<name of the case>, with _fit, _recovery, _sensitivity, "
+                "_grid or _trade for those commands (reproduce: with the name of what is reproduced). run puts each of "
+                "several cases into a folder of its name there. It holds one result, which takes the place of what "
+                "files.txt in it lists; other files stay. Symbolic links in it are not followed, and a second delabole "
+                "is refused while one is writing")
             ->type_name("DIR");
         command.add_flag("--no-report", options.no_report,
                          "Neither report nor figures, which take most of a second: for scripts");
     }
     if ((parts & threads) != 0) {
-        command.add_option("--threads", options.threads, "Threads to use; the result does not depend on their number")
+        command
+            .add_option("--threads", options.threads,
+                        "Threads to use, 1 by default; the result does not depend on their number")
             ->check(CLI::Range(1, 1024))
             ->type_name("N");
     }
@@ -174,7 +181,7 @@ struct Program {
     CLI::App app{
         "Back-analysis of rock-slope failures.\n"
         "Exit codes: 0 ok, 1 verify mismatch, 2 usage, 3 invalid case, 4 not converged or interrupted, "
-        "5 output failure, 70 a fault of the program itself.",
+        "5 output failure, 70 an internal error.",
         "delabole"};
     Options options;
     Paths cases;
@@ -276,13 +283,14 @@ struct Program {
             "--at-best", [this] { options.at_best = true; },
             "Make the data from the best fit instead of draws of the prior");
 
-        complete(
+        CLI::App* live =
             add_on_case("live",
                         "Look at a case in the browser and change it: the answer follows while points are dragged. "
                         "Served to this machine alone, at an address that is printed, until Ctrl-C",
-                        "Case file"),
-            common | output | threads, "live cases/plane_failure/wyllie_mah_7_1.toml", delabole::live_command,
-            one_case);
+                        "Case file");
+        live->add_flag("--quiet", options.quiet, "Open no browser; the address is printed all the same");
+        complete(live, settings | output | threads, "live cases/plane_failure/wyllie_mah_7_1.toml",
+                 delabole::live_command, one_case);
 
         complete(add_on_case("sensitivity",
                              "Which parameter matters, the distribution of an answer, the probability of failure",
@@ -294,8 +302,8 @@ struct Program {
         CLI::App* grid = add_on_case("grid", "An output over one or two inputs: curves or a map, and all points as CSV",
                                      "Case file; - is standard input");
         grid->add_option("--vary", options.vary,
-                         "Input, or another number of the case by its key, and its values, \"input=from:to:points\" or "
-                         "\"input=value,value\"; twice for a map")
+                         "Input, or another number of the case by its key, and its values, \"input=from:to:points\" "
+                         "(101 points if none are given) or \"input=value,value\"; twice for a map")
             ->type_name("INPUT=VALUES")
             ->required()
             ->allow_extra_args(false);
@@ -330,8 +338,12 @@ struct Program {
                  "compare cases/relaxation/two_blocks_3.toml cases/relaxation/two_blocks_5.toml",
                  delabole::compare_command, cases);
 
-        complete(add_on_case("show", "Print a case as it is understood, with defaults, in standard units", "Case file"),
-                 common, "show cases/delabole_1967/delabole_1967.toml", delabole::show_command, one_case);
+        complete(
+            add_on_case("show",
+                        "Print a case as it is understood, in standard units and with the defaults of studies; "
+                        "optional values of the model that are absent stay absent (init --full tells what they are)",
+                        "Case file"),
+            settings | json, "show cases/delabole_1967/delabole_1967.toml", delabole::show_command, one_case);
 
         CLI::App* init = app.add_subcommand("init", "Write a short case to start from, to standard output or --out");
         init->add_option("NAME", start.name, delabole::choices(delabole::starting_case_names()))->required();
@@ -357,16 +369,18 @@ struct Program {
         command
             ->add_option("WHAT", word, "A case file, or one of " + delabole::choices(delabole::starting_case_names()))
             ->required();
-        complete(command, common, name + " plane_failure", list, word);
+        complete(command, settings | json, name + " plane_failure", list, word);
     }
 
     void add_proof() {
-        CLI::App* verify = app.add_subcommand("verify", "Compare computed values with the [[expect]] entries of cases");
-        verify->add_option("CASE", cases, "Case files or folders of them");
+        CLI::App* verify = app.add_subcommand(
+            "verify", "Compare computed values with the [[expect]] entries of cases and the printed values of sweeps");
+        verify->add_option("CASE", cases,
+                           "Case files or folders of them; by default the folder cases, which takes minutes");
         complete(verify, common, "verify cases/plane_failure", delabole::verify_command, cases);
 
         CLI::App* reproduce = app.add_subcommand("reproduce", reproduce_help());
-        reproduce->add_option("WHAT", word, "What to reproduce; everything by default");
+        reproduce->add_option("WHAT", word, "What to reproduce; by default all that does not take minutes");
         complete(reproduce, printing | output | threads, "reproduce fig2.8", delabole::reproduce_command, word);
     }
 };

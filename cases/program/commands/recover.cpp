@@ -93,9 +93,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     const Stopwatch watch;
     CaseFile file = read_case(path, settings_of(options));
     show_units_of(file);
-    if (!file.fit) {
-        throw CaseError({problem_at(file, "fit", "the case has no [fit] section: there is nothing to recover")});
-    }
+    require_section(file.fit.has_value(), file, "fit");
     const std::vector<std::string> left_out = leave_out_costly(*file.fit);
     FitProblem problem = fit_problem_of(file, options.threads, options.seed);
     if (problem.observations.empty()) {

@@ -56,7 +56,7 @@ Chosen choose(const std::string& what) {
         for (const auto& [name, meaning] : reproducible()) {
             names.push_back(name);
         }
-        throw UsageError("reproduce: nothing is called '" + what + "'; there is " + choices(names) +
+        throw UsageError("reproduce: nothing is called '" + what + "'; the names are " + list_in_words(names) +
                          suggestion(what, names));
     }
     return chosen;

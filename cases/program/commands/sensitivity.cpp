@@ -2,7 +2,6 @@
 #include "fitting/sensitivity/sensitivity.hpp"
 
 #include "cases/program/commands/commands.hpp"
-#include "cases/program/reader/case_error.hpp"
 #include "cases/program/reports/study_reports.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/kept_evaluations.hpp"
@@ -64,9 +63,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     const Stopwatch watch;
     CaseFile file = read_case(path, settings_of(options));
     show_units_of(file);
-    if (!file.sensitivity) {
-        throw CaseError({problem_at(file, "sensitivity", "the case has no [sensitivity] section")});
-    }
+    require_section(file.sensitivity.has_value(), file, "sensitivity");
     const std::optional<DesignedSupport> support = design_support_of(file, [](double) { return !interrupt_flag(); });
     stop_if_interrupted();
     SensitivityProblem problem = sensitivity_problem_of(file, options.threads, options.seed);

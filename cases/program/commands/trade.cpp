@@ -17,9 +17,8 @@ namespace {
 const RelaxationStudy& study_of(const CaseFile& file) {
     const auto* study = std::get_if<RelaxationStudy>(&file.model);
     if (study == nullptr) {
-        throw CaseError({problem_at(file, "model",
-                                    "is " + std::string(model_name(file.model)) +
-                                        ": only a relaxation has numerical settings to trade accuracy for cost")});
+        throw CaseError(
+            {problem_at(file, "model", "only a relaxation has numerical settings to trade accuracy for cost")});
     }
     if (!study->critical) {
         throw CaseError(

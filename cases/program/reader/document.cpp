@@ -182,7 +182,7 @@ Node parse_document(std::string_view text, std::string_view name) {
         return root;
     } catch (const toml::parse_error& error) {
         const Place place = place_of(error.source());
-        refuse(name, place.line, place.column, std::string(error.description()));
+        refuse(name, place.line, place.column, "is not a case file (TOML): " + std::string(error.description()));
     }
 }
 

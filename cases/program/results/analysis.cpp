@@ -170,7 +170,8 @@ std::string required_in_words(const RequiredValue<>& request, const Required& re
     switch (required.status) {
     case RequiredStatus::found:
     case RequiredStatus::several:
-        return factor + " takes " + value_in_words(required.value, required.dimension) + " as " + parameter + ".";
+        return "For " + factor + " " + parameter + (inputs.size() == 1 ? " has" : " have") + " to be " +
+               value_in_words(required.value, required.dimension) + ".";
     case RequiredStatus::never_reached:
         return "No value of " + parameter + " gives " + factor + ".";
     case RequiredStatus::always_exceeded:

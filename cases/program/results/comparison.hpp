@@ -16,7 +16,7 @@ namespace delabole {
 enum class Verdict { met, missed, unreachable };
 
 constexpr std::array<std::string_view, 3> enum_names(Verdict) {
-    return {"ok", "MISMATCH", "unreachable"};
+    return {"ok", "missed", "unreachable"};
 }
 
 struct Comparison {

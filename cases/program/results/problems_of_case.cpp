@@ -4,11 +4,19 @@
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/terminal/options.hpp"
 #include "fitting/back_analysis/check_problem.hpp"
+#include "fitting/work/words.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace delabole {
+
+void require_section(bool given, const CaseFile& file, const std::string& section) {
+    if (!given) {
+        throw CaseError({problem_at(
+            file, section, "the case has no [" + section + "] section; delabole init " + section + " shows one")});
+    }
+}
 
 FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed) {
     const CaseFit& fit = *file.fit;
@@ -55,7 +63,8 @@ void leave_mechanisms(CaseFit& fit, const std::vector<std::string>& names) {
     }
     for (const std::string& name : names) {
         if (std::ranges::find(known, name) == known.end()) {
-            throw UsageError("the case has no mechanism '" + name + "'" + suggestion(name, known));
+            throw UsageError("the case has no mechanism '" + name + "'" + suggestion(name, known) + "; there are " +
+                             list_in_words(known));
         }
     }
     std::erase_if(fit.mechanisms, [&](const FitMechanism& mechanism) {

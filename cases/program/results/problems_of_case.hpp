@@ -12,6 +12,9 @@
 
 namespace delabole {
 
+// Throws CaseError if the case has no section of this name, one of those that `init` can show.
+void require_section(bool given, const CaseFile& file, const std::string& section);
+
 // The case needs a [fit] section. Throws CaseError with every name that the mechanisms' models do not have.
 FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed);
 

@@ -73,7 +73,7 @@ void Progress::report(double share, const std::string& what, bool may_end_sooner
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     std::string left = done > 1e-6 && elapsed > 1 ? time_left_.in_words(elapsed, done) : "";
     if (may_end_sooner && !left.empty()) {
-        left = "time left not known: ends at a verdict";
+        left = "time left not known: the run ends when the blocks stand or fail";
     }
     const std::string doing = plain_text(what);
     const int percent = static_cast<int>(std::lround(100 * done));

@@ -399,8 +399,8 @@ HeadCard head_card(const KinematicsStudy&, const KinematicsResult& result) {
         head.sentences.push_back("They close: " + list_in_words(closed) + ".");
     }
     head.sentences.emplace_back(
-        "This is so at the mean orientations; the tables say for which share of each set's spread, and cohesion, "
-        "water, spacing, persistence and height play no part.");
+        "This holds for the mean orientations; the tables give the share of each set's spread. Cohesion, water, "
+        "spacing, persistence and height are not considered.");
     return head;
 }
 

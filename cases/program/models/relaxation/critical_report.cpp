@@ -214,7 +214,7 @@ std::string end_in_words(const RelaxationRun& made) {
     case RelaxationOutcome::onset:
         return "Fails: " + area + " had begun to move" + after + ".";
     case RelaxationOutcome::collapse:
-        return "Failed: " + area + " in ruins" + after + ".";
+        return "Collapsed: " + area + " had moved" + after + ", blocks of it beyond the limits of collapse.";
     case RelaxationOutcome::undecided:
         return "Not decided: the blocks neither came to rest nor failed" + after + ".";
     case RelaxationOutcome::interrupted:
@@ -224,7 +224,7 @@ std::string end_in_words(const RelaxationRun& made) {
     }
 }
 
-// Changes a sentence so that it can follow a colon: "Failed: 12 m2 in ruins" becomes "failed, 12 m2 in ruins".
+// Changes a sentence so that it can follow a colon: "Collapsed: 12 m2" becomes "collapsed, 12 m2".
 std::string continued(std::string sentence) {
     sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
     const std::size_t colon = sentence.find(": ");
