@@ -91,11 +91,11 @@ std::string range_in_words(const Interval& range) {
     return from + (has_lower && has_upper ? " and " : "") + to;
 }
 
-std::string list_in_words(const std::vector<std::string>& items) {
+std::string list_in_words(const std::vector<std::string>& items, const std::string& before_last) {
     std::string text;
     for (std::size_t index = 0; index < items.size(); ++index) {
         const bool last = index + 1 == items.size();
-        text += index == 0 ? "" : (last ? " and " : ", ");
+        text += index == 0 ? "" : (last ? before_last : ", ");
         text += items[index];
     }
     return text;

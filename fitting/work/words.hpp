@@ -25,6 +25,6 @@ std::string value_in_words(double value, Dimension dimension);
 std::string range_in_words(const Interval& range);
 
 // "a", "a and b", "a, b and c".
-std::string list_in_words(const std::vector<std::string>& items);
+std::string list_in_words(const std::vector<std::string>& items, const std::string& before_last = " and ");
 
 }  // namespace delabole

@@ -17,8 +17,7 @@ namespace {
 constexpr std::int64_t schema = 1;
 
 [[noreturn]] void refuse(const std::string& file, std::string message) {
-    throw CaseError(
-        {Problem{.file = file, .line = 0, .column = 0, .key = {}, .value = {}, .message = std::move(message)}});
+    throw CaseError({{file, 0, 0, {}, {}, std::move(message)}});
 }
 
 std::string read_text_file(const std::filesystem::path& path) {
@@ -231,7 +230,7 @@ CaseModel model_with(const CaseFile& case_file, const std::vector<Setting>& sett
 }
 
 Problem problem_at(const CaseFile& case_file, const std::string& key, std::string message) {
-    Problem problem{.file = case_file.name, .line = 0, .column = 0, .key = key, .value = {}, .message = {}};
+    Problem problem{case_file.name, 0, 0, key, {}, std::move(message)};
     const auto found = case_file.places.find(key);
     if (found != case_file.places.end()) {
         const Place& place = found->second.place;
@@ -240,7 +239,6 @@ Problem problem_at(const CaseFile& case_file, const std::string& key, std::strin
         problem.column = place.column;
         problem.value = found->second.value;
     }
-    problem.message = std::move(message);
     return problem;
 }
 

@@ -2,6 +2,7 @@
 #include "fitting/sensitivity/sensitivity.hpp"
 
 #include "cases/program/commands/commands.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reports/study_reports.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/kept_evaluations.hpp"
@@ -45,11 +46,7 @@ void append_slope(const CaseModel& model, const ResultFolder& folder, Report& re
         return;
     }
     std::vector<ReportBlock> blocks{Heading{"The slope with the values of the case"}};
-    std::string text;
-    for (const std::string& sentence : head_card(model, answer).sentences) {
-        text += (text.empty() ? "" : " ") + sentence;
-    }
-    blocks.emplace_back(Paragraph{std::move(text)});
+    blocks.emplace_back(Paragraph{separated(head_card(model, answer).sentences, " ")});
     if (const auto picture = first_case_figure(model, answer)) {
         blocks.emplace_back(folder.draw(picture->figure, "section", picture->caption));
     }

@@ -1,16 +1,14 @@
 #include "cases/program/reader/case_error.hpp"
 
+#include "cases/program/reader/names.hpp"
+
 #include <utility>
 
 namespace delabole {
 namespace {
 
 std::string listing(const std::vector<Problem>& problems, std::size_t left_out) {
-    std::string text;
-    for (const Problem& problem : problems) {
-        text += text.empty() ? "" : "\n";
-        text += to_string(problem);
-    }
+    std::string text = separated(problems, "\n", to_string);
     if (left_out > 0) {
         text.append("\nand ").append(std::to_string(left_out)).append(" more");
     }

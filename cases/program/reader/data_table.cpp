@@ -1,5 +1,6 @@
 #include "cases/program/reader/data_table.hpp"
 
+#include "cases/program/reader/names.hpp"
 #include "fitting/work/bare_number.hpp"
 
 #include <algorithm>
@@ -166,11 +167,8 @@ std::vector<TableColumn> read_header(const Line& line, const std::vector<TableCo
     // The contents of the file are not shown, since a case may name any file that its reader can read, and the message
     // may be sent on.
     if (std::ranges::none_of(cells, [&](const Cell& cell) { return field_of(cell.text, fields) != nullptr; })) {
-        std::string names;
-        for (const TableColumnField& field : fields) {
-            names += (names.empty() ? "" : ", ") + example_column(field);
-        }
-        reading.complain(line.place, "", "", "names none of the columns of this table: " + names);
+        reading.complain(line.place, "", "",
+                         "names none of the columns of this table: " + separated(fields, ", ", example_column));
         return {};
     }
     std::vector<TableColumn> columns;

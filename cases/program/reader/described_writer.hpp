@@ -3,6 +3,7 @@
 
 #include "cases/program/reader/described_kinds.hpp"
 #include "cases/program/reader/document.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
 #include "geometry/polyline.hpp"
 #include "parameters/model_interface.hpp"
@@ -31,19 +32,13 @@ inline void write_text(std::string& text, std::string_view key, const std::strin
 }
 
 inline std::string list_in_quotes(const std::vector<std::string>& words) {
-    std::string list;
-    for (const std::string& word : words) {
-        list += (list.empty() ? "" : ", ") + in_quotes(word);
-    }
-    return std::string(1, '[').append(list).append(1, ']');
+    return std::string(1, '[').append(separated(words, ", ", in_quotes)).append(1, ']');
 }
 
 inline std::string written_conditions(const std::vector<Condition>& conditions) {
-    std::string table;
-    for (const Condition& condition : conditions) {
-        table += (table.empty() ? "" : ", ") + in_quotes(condition.input) + " = " +
-                 written_quantity(condition.value, condition.dimension);
-    }
+    const std::string table = separated(conditions, ", ", [](const Condition& condition) {
+        return in_quotes(condition.input) + " = " + written_quantity(condition.value, condition.dimension);
+    });
     return table.empty() ? "{}" : "{ " + table + " }";
 }
 

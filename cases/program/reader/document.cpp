@@ -16,12 +16,7 @@ constexpr int deepest_nesting = 32;
 constexpr std::size_t most_values = 200'000;
 
 [[noreturn]] void refuse(std::string_view name, int line, int column, std::string message) {
-    throw CaseError({Problem{.file = std::string(name),
-                             .line = line,
-                             .column = column,
-                             .key = {},
-                             .value = {},
-                             .message = std::move(message)}});
+    throw CaseError({{std::string(name), line, column, {}, {}, std::move(message)}});
 }
 
 Place place_of(const toml::source_region& source) {
@@ -195,13 +190,7 @@ Setting parse_setting(std::string_view text) {
     };
     const std::string_view key = trim(text.substr(0, equals));
     if (equals == std::string_view::npos || key.empty()) {
-        throw CaseError(
-            {Problem{.file = "--set",
-                     .line = 0,
-                     .column = 0,
-                     .key = {},
-                     .value = {},
-                     .message = shown(text) + " is not of the form key=value, e.g. slope.height=\"40 m\""}});
+        refuse("--set", 0, 0, shown(text) + " is not of the form key=value, e.g. slope.height=\"40 m\"");
     }
     return {.key = std::string(key), .value = std::string(trim(text.substr(equals + 1)))};
 }
@@ -236,12 +225,7 @@ std::string put_value(Node& root, std::string_view path, Node value) {
 
 void apply_setting(Node& root, const Setting& setting, std::vector<Problem>& problems) {
     if (std::string problem = put_value(root, setting.key, value_of(setting)); !problem.empty()) {
-        problems.push_back({.file = "--set",
-                            .line = 0,
-                            .column = 0,
-                            .key = setting.key,
-                            .value = setting.value,
-                            .message = std::move(problem)});
+        problems.push_back({"--set", 0, 0, setting.key, setting.value, std::move(problem)});
     }
 }
 

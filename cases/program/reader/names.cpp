@@ -81,17 +81,6 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
     return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
 }
 
-std::string choices(const std::vector<std::string>& words) {
-    std::string text;
-    for (std::size_t index = 0; index < words.size(); ++index) {
-        if (index > 0) {
-            text += index + 1 == words.size() ? " or " : ", ";
-        }
-        text += words[index];
-    }
-    return text;
-}
-
 namespace {
 
 bool may_be(NameOf what, NameOf one) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cases/program/reader/section.hpp"
+#include "fitting/work/words.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -28,7 +29,19 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
 // "a, b or c"
-std::string choices(const std::vector<std::string>& words);
+inline std::string choices(const std::vector<std::string>& words) {
+    return list_in_words(words, " or ");
+}
+
+// The texts of a list one behind the other, with `between` between them.
+template <class List, class TextOf = std::identity>
+std::string separated(const List& list, const std::string& between, const TextOf& text_of = {}) {
+    std::string text;
+    for (const auto& one : list) {
+        text += (text.empty() ? "" : between) + std::string(std::invoke(text_of, one));
+    }
+    return text;
+}
 
 // "poles[1].plane" for "poles[1].plane[3].dip"; empty for a name outside any list.
 std::string list_of(std::string_view name);

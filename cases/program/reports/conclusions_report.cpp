@@ -1,6 +1,7 @@
 #include "cases/program/reports/study_reports.hpp"
 
 #include "cases/program/case/case_writer.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
 #include "fitting/work/words.hpp"
 
@@ -102,11 +103,7 @@ std::string decision_of(const Conclusion& conclusion, const ConclusionFinding& f
             }
         }
     }
-    std::string text;
-    for (const std::string& one : deciding) {
-        text += (text.empty() ? "" : "; ") + one;
-    }
-    return text.empty() ? "a test: this case has none of it" : text;
+    return deciding.empty() ? "a test: this case has none of it" : separated(deciding, "; ");
 }
 
 Json json_of(const ConclusionTest& test, const TestFinding& finding) {

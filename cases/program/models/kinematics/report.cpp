@@ -1,5 +1,6 @@
 // Kinematic feasibility: verdicts, tables and stereonets for reports.
 #include "cases/program/reader/document.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 #include "kinematics/kinematics.hpp"
@@ -311,10 +312,8 @@ std::string poles_csv(const Kinematics& model, const KinematicsResult& result) {
     std::size_t pole = 0;
     for (std::size_t survey = 0; survey < model.poles.size(); ++survey) {
         for (const Orientation& plane : model.poles[survey].plane) {
-            std::string names;
-            for (const std::size_t set : result.sets_of_pole[pole]) {
-                names += (names.empty() ? "" : "; ") + result.joint_set[set].name;
-            }
+            const auto name_of = [&](std::size_t set) { return result.joint_set[set].name; };
+            const std::string names = separated(result.sets_of_pole[pole], "; ", name_of);
             const auto cosine = [&](const JointSetFeasibility& set) {
                 return std::abs(upward_normal(plane).dot(upward_normal(set.mean)));
             };

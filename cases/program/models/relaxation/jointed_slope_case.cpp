@@ -1,5 +1,6 @@
 #include "cases/program/models/relaxation/jointed_slope_case.hpp"
 
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/outline_file.hpp"
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
@@ -25,10 +26,7 @@ void check_names(Checker& checker, const std::string& key, const List& list) {
 
 template <class List>
 std::string names_in_words(const List& list) {
-    std::string words;
-    for (const auto& entry : list) {
-        words += (words.empty() ? "" : ", ") + entry.name;
-    }
+    const std::string words = separated(list, ", ", [](const auto& entry) { return entry.name; });
     return words.empty() ? "none" : words;
 }
 

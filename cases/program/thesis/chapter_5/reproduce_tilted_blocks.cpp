@@ -1,4 +1,5 @@
 // 5.3.1 B and 5.3.2 B of the thesis again: which values of inputs that it does not print give its outcomes.
+#include "cases/program/reader/names.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
 #include "parameters/fields.hpp"
@@ -109,10 +110,7 @@ void one_input_changed(Chapter5Item& item) {
                                           {"x_behind_y", behind}};
     }
     item.result.json["complete"][turned] = complete;
-    std::string words = complete.empty() ? "none of those tried" : "";
-    for (const std::string& name : complete) {
-        words += (words.empty() ? "" : "; ") + name;
-    }
+    const std::string words = complete.empty() ? "none of those tried" : separated(complete, "; ");
     item.result.rows.push_back({turned + ": with which all 11 printed outcomes come", "", words, "",
                                 std::to_string(computed.size() - 1) + " inputs tried, one changed at a time"});
 }
