@@ -54,10 +54,6 @@ double extreme_correlation(const Marginal& first, const Marginal& second, double
     });
 }
 
-bool is_normal(const NormalCorrelation& found) {
-    return found.check == DependenceCheck::valid;
-}
-
 }  // namespace
 
 NormalCorrelation normal_correlation(const Marginal& first, const Marginal& second, CorrelationMeasure measure,
@@ -95,7 +91,7 @@ InputSpace::InputSpace(std::vector<Marginal> marginals, const std::vector<Correl
         const Correlation& given = correlations[index];
         const NormalCorrelation found = normal_correlation(marginals_.at(given.first), marginals_.at(given.second),
                                                            given.measure, given.coefficient);
-        if (!is_normal(found)) {
+        if (found.check != DependenceCheck::valid) {
             check_ = found.check;
             faulty_ = index;
             reach_ = found.reach;

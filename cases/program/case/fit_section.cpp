@@ -178,7 +178,8 @@ void check_file_name(Reading& reading, const std::string& key, const std::string
     };
     constexpr std::size_t longest = 100;
     if (!std::ranges::all_of(name, plain) || name.size() > longest) {
-        reading.complain_at(key, "must consist of at most 100 letters, digits, - and _ (it names files)");
+        reading.complain_at(
+            key, "must consist of at most " + std::to_string(longest) + " letters, digits, - and _ (it names files)");
     }
 }
 
