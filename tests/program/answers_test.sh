@@ -34,6 +34,7 @@ says ' of rock on a line that plunges 31.2 deg towards 158 deg.' "$cases/wedge/h
 says ': slides on both planes.' "$cases/wedge/hoek_bray_complete.toml" --set plane_1.strength.cohesion='0 kPa'
 
 title "columns"
+says 'FS 0.9999: fails by toppling.' "$cases/stepped_base/goodman_bray_1976.toml"  # not FS 1, which would stand
 says ': fails by toppling.' "$cases/stepped_base/goodman_bray_1976_cable.toml"
 says 'FS 1 takes 2013 kN/m in a cable in column 1, 2 m above its base, at 0 deg.' "$cases/stepped_base/goodman_bray_1976_cable.toml"
 says 'FS 1 is reached without a cable in column 1, 2 m above its base, at 0 deg.' "$cases/stepped_base/goodman_bray_1976_cable.toml" \

@@ -154,8 +154,16 @@ void append_support(Analysis& analysis, const std::vector<std::vector<BoltRow>>&
     }
 }
 
+std::string factor_in_words(double factor_of_safety) {
+    std::string number = number_in_words(factor_of_safety);
+    for (int digits = 4; number == "1" && factor_of_safety != 1; ++digits) {
+        number = human_number(factor_of_safety, digits);
+    }
+    return "FS " + number;
+}
+
 std::string required_in_words(const RequiredValue<>& request, const Required& required) {
-    const std::string factor = "FS " + number_in_words(request.factor_of_safety);
+    const std::string factor = factor_in_words(request.factor_of_safety);
     // "bolt[1].force" is the force of bolt 1, "strength.cohesion" the cohesion.
     const auto spoken = [](const std::string& name) {
         const std::size_t bracket = name.find('[');

@@ -66,6 +66,9 @@ void append_required_values(Analysis& analysis, const std::vector<RequiredValue<
 // Such a value in a sentence.
 std::string required_in_words(const RequiredValue<>& request, const Required& required);
 
+// "FS 1.32", in three digits, or in as many more as it takes to tell it from 1: "FS 0.9999" fails.
+std::string factor_in_words(double factor_of_safety);
+
 // Appends the force of each pattern of bolts as "support[1].force"; warns of rows that hold nothing.
 void append_support(Analysis& analysis, const std::vector<std::vector<BoltRow>>& patterns);
 

@@ -63,7 +63,7 @@ std::string without_support_in_words(CaseModel model) {
     const Analysis analysis = analyse_model(model);
     const NamedOutput* factor = analysis.find("factor_of_safety");
     const auto* value = factor != nullptr ? std::get_if<double>(&factor->value) : nullptr;
-    return value != nullptr ? ", instead of FS " + number_in_words(*value) + " without these bolts" : "";
+    return value != nullptr ? ", instead of " + factor_in_words(*value) + " without these bolts" : "";
 }
 
 // Returns the inputs of a pattern that lie at an end of their ranges, which may have been too narrow. A single row does
@@ -102,7 +102,7 @@ std::string sentence_of(const SupportDesign& design, const SupportDesignResult& 
         return "None of " + patterns + " of support has an answer (" + causes_in_words(found) +
                "): what is shown has the support of the case.";
     }
-    const std::string factor = "FS " + number_in_words(design.factor_of_safety);
+    const std::string factor = factor_in_words(design.factor_of_safety);
     const std::string what = choice_in_words(design, *shown) + ", for " + number_in_words(shown_cost(shown->cost)) +
                              per_length_of_slope() + without + (found.cheapest ? doubt_about(design, *shown) : "") +
                              ".";

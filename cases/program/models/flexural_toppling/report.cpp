@@ -63,7 +63,7 @@ HeadCard head_card(const FlexuralSlope&, const FlexuralStability& result) {
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
     const std::string factor = std::isinf(result.factor_of_safety)
                                    ? std::string("No tensile strength is needed")
-                                   : "FS " + number_in_words(result.factor_of_safety) + " on tensile strength";
+                                   : factor_in_words(result.factor_of_safety) + " on tensile strength";
     head.sentences = {factor + (stands ? ": stands." : ": fails by flexural toppling."),
                       std::isinf(result.required_tensile_strength)
                           ? std::string("No tensile strength holds it: the columns are sheared off their feet.")

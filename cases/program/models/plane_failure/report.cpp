@@ -77,7 +77,7 @@ std::string required_in_words(const PlaneFailure<>& problem, const RequiredValue
     const bool found = required.status == RequiredStatus::found || required.status == RequiredStatus::several;
     for (std::size_t index = 0; index < problem.bolt.size(); ++index) {
         if (found && request.parameter == "bolt[" + std::to_string(index + 1) + "].force") {
-            return "FS " + number_in_words(request.factor_of_safety) + " takes " +
+            return factor_in_words(request.factor_of_safety) + " takes " +
                    value_in_words(required.value, required.dimension) + " in " +
                    (request.also.empty() ? "" : "each of " + std::to_string(1 + request.also.size()) + " ") +
                    "bolts at " + value_in_words(problem.bolt[index].plunge, Dimension::angle) + ".";
@@ -150,8 +150,8 @@ HeadCard head_card(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& a
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
     head.sentences.push_back(std::isinf(result.factor_of_safety)
                                  ? "Nothing drives the mass down the plane: the factor of safety is infinite."
-                                 : "FS " + number_in_words(result.factor_of_safety) + ": " +
-                                       outcome_in_words(result.outcome) + ".");
+                                 : factor_in_words(result.factor_of_safety) + ": " + outcome_in_words(result.outcome) +
+                                       ".");
     std::string required;
     for (std::size_t index = 0; index < study.required.size(); ++index) {
         required += (index == 0 ? "" : " ") +

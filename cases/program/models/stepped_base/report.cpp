@@ -215,7 +215,7 @@ std::string movement_in_words(const SteppedBaseResult& result) {
 }
 
 std::string limit_in_words(const SteppedBaseResult& result) {
-    const std::string factor = "FS " + number_in_words(result.factor_of_safety);
+    const std::string factor = factor_in_words(result.factor_of_safety);
     switch (result.limit) {
     case LimitState::found:
         return factor + (result.factor_of_safety >= 1                    ? ": stands."
@@ -255,7 +255,7 @@ HeadCard head_card(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& ans
         const std::string place = "a cable in column " + number_in_words(cable.block) + ", " +
                                   value_in_words(cable.height, Dimension::length) + " above its base, at " +
                                   value_in_words(cable.plunge, Dimension::angle);
-        const std::string factor = "FS " + number_in_words(cable.factor_of_safety);
+        const std::string factor = factor_in_words(cable.factor_of_safety);
         if (found.state == CableState::found) {
             add(doubted(
                 factor + " takes " + value_in_words(found.force, Dimension::force_per_length) + " in " + place + ".",

@@ -98,7 +98,7 @@ HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
     }
     const bool stands = result.factor_of_safety >= 1;
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
-    head.sentences = {"FS " + number_in_words(result.factor_of_safety) + (stands ? ": stands." : ": fails."),
+    head.sentences = {factor_in_words(result.factor_of_safety) + (stands ? ": stands." : ": fails."),
                       value_in_words(result.failed_area, Dimension::area) + " move, along a surface that comes out " +
                           value_in_words(result.retreat, Dimension::length) + " behind the crest."};
     if (result.column_count == 1) {

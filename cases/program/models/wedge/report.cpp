@@ -80,7 +80,7 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
     } else if (std::isinf(result.factor_of_safety)) {
         head.sentences.emplace_back("Nothing drives the wedge down: the factor of safety is infinite.");
     } else {
-        head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) + (stands ? ": stands" : ": slides") +
+        head.sentences.push_back(factor_in_words(result.factor_of_safety) + (stands ? ": stands" : ": slides") +
                                  " on " + human_name(word_of(result.contact)) + ".");
     }
     if (!study.required.empty()) {
