@@ -9,7 +9,6 @@
 #include "cases/program/terminal/progress.hpp"
 #include "fitting/back_analysis/back_analysis.hpp"
 #include "fitting/studies/candidate_draws.hpp"
-#include "fitting/work/words.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -21,9 +20,7 @@ namespace {
 template <class Work>
 auto with_progress(const Options& options, Work&& work) {
     Progress progress(options.quiet);
-    return work([&](const FitProgress& state) {
-        progress.report(state.fraction, std::string(state.mechanism) + ": " + std::string(state.stage));
-    });
+    return work(told_to(progress));
 }
 
 // The reason why a result is not a reliable answer; empty if it is.
@@ -52,12 +49,6 @@ std::vector<std::string> choose_mechanisms(CaseFit& fit, const Options& options)
     }
     leave_mechanisms(fit, options.mechanisms);
     return {};
-}
-
-// A sentence on the mechanisms that were not fitted.
-std::string left_out_in_words(const std::vector<std::string>& names) {
-    return "Left out: " + list_in_words(names) +
-           ". Every prediction is a run of dynamic relaxation; --with-costly fits such mechanisms too, in minutes.";
 }
 
 }  // namespace
@@ -95,11 +86,8 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     const std::string reserved = reservation_of_fit(status);
     add_reservation(reserved, status == "interrupted", report);
     StudyDocuments documents = document_fit(file, problem, result, folder, report);
-    if (!left_out.empty()) {
-        documents.json["left_out"] = left_out;
-        documents.screen += left_out_in_words(left_out) + "\n";
-        report.blocks.emplace_back(Paragraph{left_out_in_words(left_out)});
-    }
+    say_left_out(left_out, "; --with-costly fits such mechanisms too, in minutes.", documents.json, documents.screen,
+                 report);
     if (!information.empty()) {
         const StudyDocuments next = document_information(problem.candidates, information, folder, report);
         documents.json["value_of_information"] = next.json;

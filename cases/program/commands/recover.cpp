@@ -10,7 +10,6 @@
 #include "cases/program/terminal/progress.hpp"
 #include "fitting/back_analysis/steps.hpp"
 #include "fitting/mechanism/misfit.hpp"
-#include "fitting/work/words.hpp"
 
 #include <algorithm>
 
@@ -43,11 +42,7 @@ std::vector<double> best_of(const Mechanism& mechanism, const FitProblem& proble
 std::vector<MechanismRecovery> recover_all(const FitProblem& problem, const Options& options) {
     Progress progress(options.quiet);
     const auto per_mechanism = usual_evaluations * (options.repetitions + (options.at_best ? 1L : 0L));
-    ProgressMeter meter(
-        [&](const FitProgress& state) {
-            progress.report(state.fraction, std::string(state.mechanism) + ": " + std::string(state.stage));
-        },
-        per_mechanism * static_cast<long>(problem.mechanisms.size()));
+    ProgressMeter meter(told_to(progress), per_mechanism * static_cast<long>(problem.mechanisms.size()));
     std::vector<MechanismRecovery> recoveries;
     for (const Mechanism& mechanism : problem.mechanisms) {
         RecoverySettings settings = settings_for(problem, options);
@@ -79,12 +74,6 @@ std::string reservation_of_recovery(const std::string& status) {
     }
     return status == "finished" ? ""
                                 : "not converged: of a mechanism no repetition counts; the causes are in the report";
-}
-
-// A sentence on the mechanisms that are never recovered.
-std::string left_out_of_recovery(const std::vector<std::string>& names) {
-    return "Left out: " + list_in_words(names) + ". Every prediction is a run of dynamic relaxation, and every " +
-           "repetition a whole fit.";
 }
 
 }  // namespace
@@ -122,11 +111,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     Json json;
     json["status"] = status;
     json.update(documents.json);
-    if (!left_out.empty()) {
-        json["left_out"] = left_out;
-        documents.screen += left_out_of_recovery(left_out) + "\n";
-        report.blocks.emplace_back(Paragraph{left_out_of_recovery(left_out)});
-    }
+    say_left_out(left_out, ", and every repetition a whole fit.", json, documents.screen, report);
     Json source = provenance(file, "recover", options, watch.seconds());
     source["repetitions"] = options.repetitions;
     source["at"] = options.at_best ? "best" : "prior";

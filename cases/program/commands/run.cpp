@@ -10,7 +10,7 @@
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/model_reports.hpp"
-#include "cases/program/results/result_folder.hpp"
+#include "cases/program/results/study_output.hpp"
 #include "cases/program/sweeps/support_report.hpp"
 #include "cases/program/sweeps/sweep_report.hpp"
 #include "cases/program/terminal/interrupt.hpp"
@@ -29,16 +29,11 @@ namespace delabole {
 
 namespace {
 
-std::string shown(const NamedOutput& output) {
-    const auto* number = std::get_if<double>(&output.value);
-    return number != nullptr ? in_table_digits(*number, output.dimension) : std::get<std::string>(output.value);
-}
-
 Table output_table(const Analysis& analysis) {
     Table table{"", {"quantity", "value"_number, "meaning"}};
     for (const NamedOutput& output : analysis.outputs) {
         if (!output.detail) {
-            table.rows.push_back({output.name, shown(output), output.meaning});
+            table.rows.push_back({output.name, in_table_digits(output.value, output.dimension), output.meaning});
         }
     }
     return table;
@@ -62,7 +57,7 @@ void print(const CaseFile& file, const HeadCard& head, const Analysis& analysis,
     std::vector<std::vector<std::string>> rows;
     for (const NamedOutput& output : analysis.outputs) {
         if (!output.detail) {
-            rows.push_back({output.name, shown(output)});
+            rows.push_back({output.name, in_table_digits(output.value, output.dimension)});
         }
     }
     std::cout << title_of(file, options) << '\n';
@@ -73,7 +68,7 @@ void print(const CaseFile& file, const HeadCard& head, const Analysis& analysis,
     for (const std::string& warning : analysis.warnings) {
         std::cout << "warning: " << warning << '\n';
     }
-    std::cout << "results in " << folder.path().string() << "\n\n";
+    std::cout << written_where(folder, options) << "\n\n";
 }
 
 void announce(const CaseFile& file, const Options& options) {

@@ -231,11 +231,9 @@ Json LiveSession::answer_to(const CaseModel& model, bool all_figures) const {
     json["sentences"] = std::vector<std::string>(head.sentences.begin() + 1, head.sentences.end());
     json["results"] = Json::array();
     for (const NamedOutput& output : analysis.outputs) {
-        const auto* number = std::get_if<double>(&output.value);
         json["results"].push_back({{"name", output.name},
                                    {"meaning", output.meaning},
-                                   {"text", number != nullptr ? in_table_digits(*number, output.dimension)
-                                                              : std::get<std::string>(output.value)},
+                                   {"text", in_table_digits(output.value, output.dimension)},
                                    {"detail", output.detail}});
     }
     json["warnings"] = analysis.warnings;

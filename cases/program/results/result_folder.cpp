@@ -113,6 +113,11 @@ std::string in_table_digits(double value, Dimension dimension) {
     return in_digits(value, dimension, counts ? 6 : 4);
 }
 
+std::string in_table_digits(const Cell& value, Dimension dimension) {
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr ? in_table_digits(*number, dimension) : std::get<std::string>(value);
+}
+
 std::string in_six_digits(double value, Dimension dimension) {
     return in_digits(value, dimension, 6);
 }

@@ -44,6 +44,8 @@ double in_display_unit(double value, Dimension dimension);
 std::string in_digits(double value, Dimension dimension, int digits);
 // Four significant digits, for tables of results; counts have six. CSV and JSON have all digits.
 std::string in_table_digits(double value, Dimension dimension);
+// The same of a number, or a word as it is.
+std::string in_table_digits(const std::variant<double, std::string>& value, Dimension dimension);
 // Six significant digits, for values that must be told apart or are compared with printed ones.
 std::string in_six_digits(double value, Dimension dimension);
 

@@ -4,10 +4,12 @@
 #include "cases/program/case/case_file.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/options.hpp"
-
+#include "cases/program/terminal/progress.hpp"
+#include "fitting/work/progress.hpp"
 #include "plots/report/report.hpp"
 
 #include <string>
+#include <vector>
 
 namespace delabole {
 
@@ -17,6 +19,16 @@ struct StudyOutput {
     std::string screen;
     std::string reserved;  // the reason why the result is not a reliable answer; empty if it is
 };
+
+// Shows the progress of a fit as "mechanism: stage".
+FitProgressCallback told_to(Progress& progress);
+
+// Says in all outputs that mechanisms were left out, if any were: their predictions are runs, `and_so`.
+void say_left_out(const std::vector<std::string>& names, const std::string& and_so, Json& json, std::string& screen,
+                  Report& report);
+
+// "report in results/slope/report.html", or "results in results/slope" without a report.
+std::string written_where(const ResultFolder& folder, const Options& options);
 
 // Puts a notice at the top of the report if there is such a reason.
 void add_reservation(const std::string& reserved, bool interrupted, Report& report);
