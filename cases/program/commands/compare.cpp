@@ -3,6 +3,7 @@
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/document.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/section.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
@@ -13,6 +14,8 @@
 #include "fitting/work/words.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -33,18 +36,25 @@ struct Compared {
     std::optional<Cell> first = {};
     std::optional<Cell> second = {};
 
-    bool differs() const { return first != second; }
+    // Nothing unless both are numbers.
+    std::optional<double> change() const {
+        const auto* before = first ? std::get_if<double>(&*first) : nullptr;
+        const auto* after = second ? std::get_if<double>(&*second) : nullptr;
+        return before == nullptr || after == nullptr ? std::nullopt : std::optional(*after - *before);
+    }
+    // Numbers that differ by rounding alone, by a billionth, are the same.
+    bool differs() const {
+        const std::optional<double> by = change();
+        const auto size = [](const std::optional<Cell>& number) { return std::abs(std::get<double>(*number)); };
+        return first != second && (!by || (in_display_unit(*by, dimension) != 0 &&
+                                           !(std::abs(*by) <= 1e-9 * std::max(size(first), size(second)))));
+    }
 };
 
-std::string shown(const std::optional<Cell>& value, Dimension dimension) {
+// As CSV and JSON hold it: a number in its display unit, or a word.
+Cell in_file(const std::optional<Cell>& value, Dimension dimension) {
     const auto* number = value ? std::get_if<double>(&*value) : nullptr;
-    return number != nullptr ? in_table_digits(*number, dimension) : value ? std::get<std::string>(*value) : "-";
-}
-
-std::string change_of(const Compared& one) {
-    const auto* before = one.first ? std::get_if<double>(&*one.first) : nullptr;
-    const auto* after = one.second ? std::get_if<double>(&*one.second) : nullptr;
-    return before == nullptr || after == nullptr ? "" : value_in_words(*after - *before, one.dimension);
+    return number != nullptr ? in_display_unit(*number, dimension) : value.value_or("absent");
 }
 
 // Pairs in the order of the first list, followed by those that only the second has.
@@ -131,9 +141,9 @@ void draw_picture(const Analysed& one, const std::string& name, const ResultFold
     }
 }
 
-// Adds rows for the pairs that differ, below a heading, and the same to the JSON.
+// Adds rows for the pairs that differ, and how many are the same; the pairs that differ also to CSV and JSON.
 void add(const std::string& word, const std::vector<Compared>& pairs, std::vector<std::vector<std::string>>& rows,
-         Json& json) {
+         CsvTable& csv, Json& json) {
     std::size_t same = 0;
     json[word] = Json::array();
     for (const Compared& one : pairs) {
@@ -141,18 +151,26 @@ void add(const std::string& word, const std::vector<Compared>& pairs, std::vecto
             ++same;
             continue;
         }
-        rows.push_back({one.name, shown(one.first, one.dimension), shown(one.second, one.dimension), change_of(one)});
-        json[word].push_back({{"name", one.name},
-                              {"first", shown(one.first, one.dimension)},
-                              {"second", shown(one.second, one.dimension)},
-                              {"difference", change_of(one)}});
+        const std::optional<double> by = one.change();
+        const auto shown = [&](const auto& value) { return value ? in_table_digits(*value, one.dimension) : "-"; };
+        rows.push_back({one.name, shown(one.first), shown(one.second), by ? value_in_words(*by, one.dimension) : ""});
+        const std::vector<Cell> row = {one.name, in_file(one.first, one.dimension), in_file(one.second, one.dimension),
+                                       in_file(by ? Cell(*by) : Cell(""), one.dimension),
+                                       std::string(display_unit(one.dimension).symbol)};
+        csv.add_row(row);
+        Json& entry = json[word].emplace_back();
+        for (std::size_t index = 0; index < row.size(); ++index) {
+            const auto* number = std::get_if<double>(&row[index]);
+            constexpr std::array names = {"name", "first", "second", "difference", "unit"};
+            entry[names[index]] = number != nullptr ? json_number(*number) : Json(std::get<std::string>(row[index]));
+        }
     }
     rows.push_back({std::to_string(same) + " " + word + " are the same"});
 }
 
 // Shows both answers, what differs between the cases, their first figures side by side and the table of differences.
-void write_comparison(const std::vector<Analysed>& both, const std::vector<std::vector<std::string>>& rows, Json json,
-                      const Options& options, double seconds) {
+void write_comparison(const std::vector<Analysed>& both, const std::vector<std::vector<std::string>>& rows,
+                      const CsvTable& csv, Json json, const Options& options, double seconds) {
     const ResultFolder folder(options, "compare", OnInterrupt::stop);
     HeadCard head;
     for (const Analysed& one : both) {
@@ -160,11 +178,9 @@ void write_comparison(const std::vector<Analysed>& both, const std::vector<std::
     }
     constexpr std::size_t most_named = 3;
     const std::size_t inputs = json["inputs"].size();
-    std::string differing;
-    for (std::size_t index = 0; index < std::min(inputs, most_named); ++index) {
-        const std::vector<std::string>& row = rows[index + 1];
-        differing += (index == 0 ? "" : "; ") + row[0] + " " + row[1] + " against " + row[2];
-    }
+    std::string differing =
+        separated(std::span(rows).subspan(1, std::min(inputs, most_named)), "; ",
+                  [](const std::vector<std::string>& row) { return row[0] + " " + row[1] + " against " + row[2]; });
     if (inputs > most_named) {
         differing += "; and " + std::to_string(inputs - most_named) + " other inputs";
     }
@@ -173,16 +189,10 @@ void write_comparison(const std::vector<Analysed>& both, const std::vector<std::
     draw_picture(both.front(), "first", folder, pictures);
     draw_picture(both.back(), "second", folder, pictures);
     Table table{"", {}};
-    CsvTable csv(rows.front());
     for (const std::string& title : rows.front()) {
         table.columns.emplace_back(title, &title != &rows.front().front());
     }
-    for (const std::vector<std::string>& row : std::span(rows).subspan(1)) {
-        table.rows.push_back(row);
-        std::vector<Cell> cells(row.begin(), row.end());
-        cells.resize(rows.front().size(), std::string());
-        csv.add_row(cells);
-    }
+    table.rows.assign(rows.begin() + 1, rows.end());
     Report report{stem_of(both.front().file) + " and " + stem_of(both.back().file), "", {}};
     report.blocks = {head, pictures, Heading{"What differs"}, table};
     json["provenance"] = provenance(both.front().file, "compare", options, seconds);
@@ -209,12 +219,13 @@ ExitCode compare_command(const Paths& cases, const Options& options) {
     const Analysed& other = both.back();
     std::vector<std::vector<std::string>> rows = {
         {"what differs", stem_of(one.file), stem_of(other.file), "difference"}};
+    CsvTable csv({"what differs", stem_of(one.file), stem_of(other.file), "difference", "unit"});
     Json json = {{"first", one.file.name}, {"second", other.file.name}};
     const auto value_of = [](const auto& one_of_them) { return one_of_them.value; };
-    add("inputs", pair_up(inputs_of_case(one.file), inputs_of_case(other.file), value_of), rows, json);
-    add("outputs", pair_up(one.analysis.outputs, other.analysis.outputs, value_of), rows, json);
+    add("inputs", pair_up(inputs_of_case(one.file), inputs_of_case(other.file), value_of), rows, csv, json);
+    add("outputs", pair_up(one.analysis.outputs, other.analysis.outputs, value_of), rows, csv, json);
     if (!options.out.empty()) {
-        write_comparison(both, rows, json, options, watch.seconds());
+        write_comparison(both, rows, csv, json, options, watch.seconds());
     }
     if (options.json) {
         std::cout << json_text(json);
