@@ -45,7 +45,9 @@ bool find_values(Reading& reading, const std::string& path, const ModelNames& na
     } else if (!swept.from || !swept.to) {
         reading.complain_at(path + ".input", "needs its first and last value, from and to, or values = [...]");
     } else if (!(*swept.to > *swept.from)) {
-        reading.complain_at(path + ".to", "must be more than from");
+        if (!reading.blames(path + ".from") && !reading.blames(path + ".to")) {
+            reading.complain_at(path + ".to", "the last value must be greater than the first");
+        }
     } else {
         swept.points = swept.points.value_or(SweptInput::standard_points);
         swept.values = spaced_values(*swept.from, *swept.to, *swept.points);

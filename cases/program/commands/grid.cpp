@@ -1,6 +1,7 @@
 // delabole grid
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/document.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/study_output.hpp"
 #include "cases/program/sweeps/support_report.hpp"
@@ -52,11 +53,7 @@ std::string vary_of(const std::string& option) {
         text += ", from = " + toml_value(range[0]) + ", to = " + toml_value(range[1]);
         text += range.size() == 3 ? ", points = " + toml_value(range[2]) : "";
     } else if (range.size() == 1 && list.size() > 1) {
-        text += ", values = [";
-        for (std::size_t index = 0; index < list.size(); ++index) {
-            text += (index == 0 ? "" : ", ") + toml_value(list[index]);
-        }
-        text += "]";
+        text += ", values = [" + separated(list, ", ", toml_value) + "]";
     } else {
         throw UsageError("--vary " + option +
                          ": is neither input=from:to:points, as strength.cohesion=\"0 kPa:50 kPa:11\", nor "
@@ -70,25 +67,20 @@ Setting sweep_of(const Options& options) {
     if (options.vary.empty() || options.vary.size() > 2) {
         throw UsageError("grid: needs one or two --vary");
     }
-    std::string vary;
-    for (const std::string& one : options.vary) {
-        vary += (vary.empty() ? "" : ", ") + vary_of(one);
-    }
-    std::string curves;
-    for (const std::string& output :
-         options.outputs.empty() ? std::vector<std::string>{"factor_of_safety"} : options.outputs) {
-        curves += (curves.empty() ? "" : ", ");
-        curves += "{ label = " + in_quotes(output) + ", output = " + in_quotes(output) + " }";
-    }
-    return {"sweep", "[{ name = \"grid\", vary = [" + vary + "], curve = [" + curves + "] }]"};
+    const std::vector<std::string> outputs =
+        options.outputs.empty() ? std::vector<std::string>{"factor_of_safety"} : options.outputs;
+    const std::string curves = separated(outputs, ", ", [](const std::string& output) {
+        return "{ label = " + in_quotes(output) + ", output = " + in_quotes(output) + " }";
+    });
+    return {"sweep",
+            "[{ name = \"grid\", vary = [" + separated(options.vary, ", ", vary_of) + "], curve = [" + curves + "] }]"};
 }
 
-// Reads the case with the sweep; errors in the sweep are reported for the option that it was made from.
-CaseFile read_case_with_sweep(const std::filesystem::path& path, const Options& options) {
-    std::vector<Setting> settings = settings_of(options);
-    settings.push_back(sweep_of(options));
+// Does work with the sweep; errors in the sweep are reported for the options that it was made from.
+template <class Work>
+auto with_sweep(const Options& options, const Work& work) {
     try {
-        return read_case(path, settings);
+        return work();
     } catch (const CaseError& error) {
         std::vector<Problem> problems = error.problems();
         for (Problem& problem : problems) {
@@ -99,6 +91,9 @@ CaseFile read_case_with_sweep(const std::filesystem::path& path, const Options& 
                     problem.value = "";
                 }
             }
+            if (problem.key == "sweep.output") {
+                problem = {"--output " + problem.value, 0, 0, {}, {}, problem.message};
+            }
         }
         throw CaseError(std::move(problems));
     }
@@ -106,15 +101,11 @@ CaseFile read_case_with_sweep(const std::filesystem::path& path, const Options& 
 
 // "Factor of safety against water depth"
 std::string grid_title(const CaseSweep& sweep) {
-    std::string outputs;
-    for (const SweepCurve& curve : sweep.curves) {
-        outputs += (outputs.empty() ? "" : ", ") + human_name(curve.output);
-    }
-    std::string inputs;
-    for (const SweptInput& swept : sweep.vary) {
-        inputs += (inputs.empty() ? "" : " and ") + human_name(swept.input.substr(swept.input.rfind('.') + 1));
-    }
-    return capitalised(outputs + " against " + inputs);
+    const auto output = [](const SweepCurve& curve) { return human_name(curve.output); };
+    const auto input = [](const SweptInput& swept) {
+        return human_name(swept.input.substr(swept.input.rfind('.') + 1));
+    };
+    return capitalised(separated(sweep.curves, ", ", output) + " against " + separated(sweep.vary, " and ", input));
 }
 
 // Finds where a curve over one input passes a level, by linear interpolation between its points.
@@ -166,19 +157,21 @@ HeadCard grid_answer(const SweepRun& run) {
 
 ExitCode grid_command(const std::filesystem::path& path, const Options& options) {
     const Stopwatch watch;
-    CaseFile file = read_case_with_sweep(path, options);
+    std::vector<Setting> settings = settings_of(options);
+    settings.push_back(sweep_of(options));
+    CaseFile file = with_sweep(options, [&] { return read_case(path, settings); });
     show_units_of(file);
     const std::optional<DesignedSupport> support = design_support_of(file, [](double) { return !interrupt_flag(); });
     CaseSweep& sweep = file.sweeps.front();
     sweep.title = grid_title(sweep);
     sweep.caption = "All points are in grid.csv.";
     const ResultFolder folder(options, stem_of(file) + "_grid", OnInterrupt::stop);
-    const SweepRun run = [&] {
+    const SweepRun run = with_sweep(options, [&] {
         Progress progress(options.quiet);
         return run_sweep(file, sweep, {.threads = options.threads, .progress = [&](double share) {
                                            progress.report(share, "points of the grid");
                                        }});
-    }();
+    });
     Report report{title_of(file, options), file.description, {}};
     Report own;
     document_sweep(run, folder, own);

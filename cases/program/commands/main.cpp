@@ -97,9 +97,7 @@ void add_parts(CLI::App& command, Options& options, unsigned parts) {
                          "Neither report nor figures, which take most of a second: for scripts");
     }
     if ((parts & threads) != 0) {
-        command
-            .add_option("--threads", options.threads,
-                        "Threads to use, 1 by default; the result does not depend on their number")
+        command.add_option("--threads", options.threads, "Threads, 1 by default; results do not depend on them")
             ->check(CLI::Range(1, 1024))
             ->type_name("N");
     }
@@ -338,12 +336,11 @@ struct Program {
                  "compare cases/relaxation/two_blocks_3.toml cases/relaxation/two_blocks_5.toml",
                  delabole::compare_command, cases);
 
-        complete(
-            add_on_case("show",
-                        "Print a case as it is understood, in standard units and with the defaults of studies; "
-                        "optional values of the model that are absent stay absent (init --full tells what they are)",
-                        "Case file"),
-            settings | json, "show cases/delabole_1967/delabole_1967.toml", delabole::show_command, one_case);
+        complete(add_on_case(
+                     "show",
+                     "Print a case as it is understood, in standard units; optional values that are absent stay absent",
+                     "Case file"),
+                 settings | json, "show cases/delabole_1967/delabole_1967.toml", delabole::show_command, one_case);
 
         CLI::App* init = app.add_subcommand("init", "Write a short case to start from, to standard output or --out");
         init->add_option("NAME", start.name, delabole::choices(delabole::starting_case_names()))->required();
@@ -367,7 +364,7 @@ struct Program {
                   ExitCode (*list)(const std::string& what, const Options& options)) {
         CLI::App* command = app.add_subcommand(name, meaning);
         command
-            ->add_option("WHAT", word, "A case file, or one of " + delabole::choices(delabole::starting_case_names()))
+            ->add_option("CASE", word, "A case file, or one of " + delabole::choices(delabole::starting_case_names()))
             ->required();
         complete(command, settings | json, name + " plane_failure", list, word);
     }
@@ -375,8 +372,7 @@ struct Program {
     void add_proof() {
         CLI::App* verify = app.add_subcommand(
             "verify", "Compare computed values with the [[expect]] entries of cases and the printed values of sweeps");
-        verify->add_option("CASE", cases,
-                           "Case files or folders of them; by default the folder cases, which takes minutes");
+        verify->add_option("CASE", cases, "Case files or folders; by default the folder cases, which takes minutes");
         complete(verify, common, "verify cases/plane_failure", delabole::verify_command, cases);
 
         CLI::App* reproduce = app.add_subcommand("reproduce", reproduce_help());

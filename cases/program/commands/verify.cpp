@@ -77,12 +77,7 @@ ExitCode verify_command(const Paths& cases, const Options& options) {
     // A wrong folder must not be reported as a success.
     if (json.empty()) {
         const std::string where = cases.size() == 1 ? cases.front().string() : cases.empty() ? "cases" : "all of these";
-        throw CaseError({{where,
-                          0,
-                          0,
-                          {},
-                          {},
-                          "has neither [[expect]] nor a printed value in a sweep: there is nothing to compare"}});
+        throw CaseError({{where, 0, 0, {}, {}, "has no [[expect]] and no printed value: there is nothing to compare"}});
     }
     if (options.json) {
         std::cout << json_text(json);

@@ -3,8 +3,7 @@
 // It refuses, each with a status:
 //     400  what is not JSON or not a possible request; a body or an answer in parts or compressed
 //     401  a request without the token
-//     403  a Host that is not this address (another name that leads here: DNS rebinding), or an Origin that is not this
-//          page (a page from elsewhere)
+//     403  a Host that is not this address (DNS rebinding), or an Origin that is not this page
 //     404  any other path
 //     413  a body of more than 256 kB
 // For all but 400, which the page shows, it prints a line on standard error, at most one a second. Clients that are not

@@ -160,7 +160,8 @@ TEST(SweepSection, MistakesHaveTheirPlaceAndReason) {
     };
     expect("input = \"block.height\"", "input = \"block.heigth\"",
            "sweep[1].vary[1].input = \"block.heigth\": is not an input of this case (did you mean block.height?)");
-    expect("from = \"1 ft\"", "from = \"4 ft\"", "must be more than from");
+    expect("from = \"1 ft\"", "from = \"4 ft\"", "the last value must be greater than the first");
+    EXPECT_EQ(complaint(changed("to = \"3 ft\"", "to = \"3 kPa\"")).find("the last value"), std::string::npos);
     expect("from = \"1 ft\"", "from = \"1 kPa\"", "sweep[1].vary[1].from");
     expect("to = \"3 ft\"", "to = \"3 ft\"\nvalues = [\"1 ft\", \"2 ft\"]", "takes the place of from, to and points");
     expect("points = 5", "points = 1", "from 2 to 10001");
