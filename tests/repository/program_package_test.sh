@@ -50,6 +50,7 @@ for place in prefix root/usr; do
     expect "words beside files" test "$(completed delabole inputs kinem)" == kinematics
     expect "case files" test "$(completed delabole run he)" == here.toml
     expect "no other files" test -z "$(completed delabole run there)"
+    expect "no case files where none is read" test -z "$(completed delabole reproduce he)"
     expect "folders" test "$(completed delabole run here.toml --out packa)" == package
 done
 

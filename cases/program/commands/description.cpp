@@ -1,18 +1,12 @@
 #include "cases/program/commands/description.hpp"
 
+#include "cases/program/reader/names.hpp"
+
 #include <algorithm>
 
 namespace delabole {
 
 namespace {
-
-std::string joined(const std::vector<std::string>& words, std::string_view between) {
-    std::string text;
-    for (const std::string& word : words) {
-        text.append(text.empty() ? "" : between).append(word);
-    }
-    return text;
-}
 
 std::vector<std::string> option_names(const DescribedCommand& command) {
     std::vector<std::string> names;
@@ -34,7 +28,7 @@ std::string options_with_value(const DescribedProgram& program, std::string_view
             }
         }
     }
-    return names.empty() ? "''" : joined(names, "|");
+    return names.empty() ? "''" : separated(names, "|");
 }
 
 // Text escaped for troff: no line is a request, and hyphens are those on a keyboard.
@@ -77,7 +71,7 @@ std::string bash_completion(const DescribedProgram& program) {
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
         mapfile -t COMPREPLY < <(compgen -W ")" +
-            joined(commands, " ") + R"( --help --version" -- "$word")
+            separated(commands, " ") + R"( --help --version --bash-completion --manual-page" -- "$word")
         return
     fi
     case $before in
@@ -100,11 +94,11 @@ std::string bash_completion(const DescribedProgram& program) {
     case ${COMP_WORDS[1]} in
 )";
     for (const DescribedCommand& command : program.commands) {
-        text += "    " + command.name + ")\n        options=\"" + joined(option_names(command), " ") + "\"\n";
+        text += "    " + command.name + ")\n        options=\"" + separated(option_names(command), " ") + "\"\n";
         if (!command.words.empty()) {
-            text += "        words=\"" + joined(command.words, " ") + "\"\n";
+            text += "        words=\"" + separated(command.words, " ") + "\"\n";
         }
-        if (command.argument == "CASE" || command.argument == "WHAT") {
+        if (command.argument == "CASE") {
             text += "        files=yes\n";
         }
         text += "        ;;\n";
@@ -141,7 +135,7 @@ std::string manual_page(const DescribedProgram& program) {
             text += ".TP\n.I " + command.argument + "\n" + troff(command.argument_meaning) + "\n";
         }
         for (const DescribedOption& option : command.options) {
-            text += ".TP\n.B " + troff(joined(option.names, ", ")) +
+            text += ".TP\n.B " + troff(separated(option.names, ", ")) +
                     (option.value.empty() ? "" : " \\fI" + option.value + "\\fR") + "\n" + troff(option.meaning) + "\n";
         }
         if (!command.footer.empty()) {
