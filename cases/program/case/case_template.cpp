@@ -51,7 +51,10 @@ void fill_with_examples(const FieldInfo& info, Member& member) {
     } else if constexpr (is_variant<Member>) {
         std::visit([&](auto& alternative) { fill_with_examples(info, alternative); }, member);
     } else if constexpr (std::same_as<Member, std::string>) {
-        member = info.key == "parameter" || info.name_of == NameOf::input ? example_input : info.key;
+        member = info.key == "parameter" || info.name_of == NameOf::input ? example_input
+                 : info.key == "outline_file"                             ? "my_slope.dxf"
+                 : info.key.ends_with("file")                             ? "my_record.csv"
+                                                                          : info.key;
     } else if constexpr (std::same_as<Member, Polyline>) {
         member = {Point(0, 0), Point(10, 8), Point(10, 12)};
     } else if constexpr (std::same_as<Member, PairOfTexts>) {
@@ -131,7 +134,8 @@ std::string annotated_value(const FieldInfo& info, const Member& member, Dimensi
         std::string line;
         detail::write_value(line, info, member, named);
         if (!line.empty()) {
-            line.pop_back();
+            // Without the ".0" of a case that the program writes: many numbers are counts.
+            line.resize(line.size() - (line.ends_with(".0\n") ? 3 : 1));
             return explained(line, explanation_of<Member>(info));
         }
         if constexpr (is_list_of_texts<Member>) {
