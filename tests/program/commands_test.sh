@@ -11,7 +11,7 @@ delabole run good.toml
 expect_status 0
 expect_silence err
 expect_output 'factor_of_safety'
-expect_output 'results in results/good'
+expect_output 'report in results/good/report.html'
 expect_complete_results results/good
 expect_only_numbers results/good
 expect_figures results/good 3
@@ -178,6 +178,8 @@ done
 delabole grid good.toml --vary "water.water_dept=0 m:4 m"
 expect_status 3
 expect_error 'vary: water.water_dept: is not an input of this case (did you mean water.water_depth?)'
+delabole grid good.toml --vary "strength.cohesion=0:50:5"
+expect "nothing is said of an order that is not known" refuse grep -q 'the last value' "$scratch/err"
 delabole grid "$source_folder/cases/relaxation/single_block.toml" --vary settings.stiffness_ratio=1e3,1e6 --output critical_tilt --out keys --no-report
 expect_status 0
 expect "a key that is no input" contains keys/grid.csv 'settings.stiffness_ratio,critical_tilt_deg'
@@ -186,7 +188,7 @@ expect_status 3
 expect_error '"water.water_depth": varies twice in the sweep'
 delabole grid good.toml --vary "water.water_depth=0 m:4 m:3" --output factor
 expect_status 3
-expect_error 'is not an output of this case'
+expect_error '--output factor: is not an output of this case'
 
 title "compare: what differs in inputs and outputs"
 sed 's/^cohesion = .*/cohesion = "30 kPa"/' good.toml >other.toml
@@ -205,10 +207,15 @@ delabole compare good.toml other.toml --out compared
 expect_status 0
 expect_figures compared 2
 expect "both answers and what differs" grep -qE '<p>They differ in strength.cohesion 25 kPa against 30 kPa' compared/report.html
-expect "as a table" contains compared/compare.csv 'strength.cohesion,25 kPa,30 kPa'
-delabole compare good.toml good.toml --json
-expect_status 0
-expect "no input differs" grep -q '"inputs": \[\]' "$scratch/out"
+expect "as a table" contains compared/compare.csv 'strength.cohesion,25,30,5,kPa'
+expect "of nothing but what differs" refuse grep -q 'the same' compared/compare.csv
+sed '/^height/s/12 m/39.370078740157 ft/' good.toml >feet.toml
+expect "the unit was changed" refuse cmp -s good.toml feet.toml
+for other in good feet; do  # the height in feet differs by rounding alone
+    delabole compare good.toml $other.toml --json
+    expect_status 0
+    expect "no input differs" grep -q '"inputs": \[\]' "$scratch/out"
+done
 
 title "run draws the sweeps of a case"
 cat good.toml - >swept.toml <<'CASE'
