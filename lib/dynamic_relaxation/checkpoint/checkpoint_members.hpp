@@ -89,7 +89,7 @@ DELABOLE_MEMBERS(CornerForce, block, other, at, force, normal, shear, overlap, s
 DELABOLE_MEMBERS(BoltPull, at, other_at, force, yielded, holds)
 DELABOLE_MEMBERS(MotionFrame, time, tilt, motion, outcome, bolt, force)
 DELABOLE_MEMBERS(MotionRecord, frame, interval, next)
-DELABOLE_MEMBERS(CriticalProbe, outcome, steps, contacts_evaluated, rested_in_motion)
+DELABOLE_MEMBERS(CriticalProbe, outcome, steps, contacts_evaluated, rested_in_motion, crept, without_run)
 DELABOLE_MEMBERS(SearchProgress, probe, probe_state, consolidated, failed)
 DELABOLE_MEMBERS(FailureStage, block, moved, start, onset, time, steps, contacts_evaluated)
 DELABOLE_MEMBERS(StudyProgress, state, next_line, history, record, slope, stage, search)

@@ -124,7 +124,23 @@ class StaticSolver {
 
     // `start`: the state from which the limits of motion are measured.
     StaticSolution approach(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
-        return is_small_ ? approach_in_rounds(start, motion, list) : approach_in_motion(start, motion, list);
+        if (!is_small_) {
+            return approach_in_motion(start, motion, list);
+        }
+        // Rounds in which blocks may creep can miss a balance near by.
+        if (settings_.leave_crept && creeping_ == nullptr) {
+            const std::vector<Motion> motion_before = motion;
+            const MemoryArray memory_before = list.memory;
+            settings_.leave_crept = false;
+            StaticSolution found = approach_in_rounds(start, motion, list);
+            settings_.leave_crept = true;
+            if (found.ratio <= settings_.tolerance) {
+                return found;
+            }
+            motion = motion_before;
+            list.memory = memory_before;
+        }
+        return approach_in_rounds(start, motion, list);
     }
 
     StaticSolution approach_in_rounds(const std::vector<Motion>& start, std::vector<Motion>& motion,
@@ -446,7 +462,7 @@ class StaticSolver {
     }
 
     const Bodies& bodies_;
-    const StaticSolveSettings& settings_;
+    StaticSolveSettings settings_;
     const StaticSolution* creeping_;
     const Bonds& bonds_;
     StaticEquations& equations_;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace delabole {
@@ -32,8 +33,7 @@ std::optional<CriticalStatus> no_answer(RelaxationOutcome outcome) {
 }
 
 // Values tried are shares of the ratio found, or of the way to the angle from where the blocks should stand.
-constexpr std::array less_demanding_shares = {0.98, 0.96, 0.93, 0.9};
-constexpr std::array shares_of_angle = {0.9, 0.8, 0.7, 0.5};
+constexpr std::array less_demanding_shares = {0.98, 0.96, 0.93, 0.9, 0.8, 0.7, 0.5};
 
 class Bisection {
   public:
@@ -64,7 +64,7 @@ class Bisection {
             return critical_;
         }
         // Blocks that fall before they rest pass the threshold of onset at one angle, and just not at the next.
-        const auto may_fail_before = [&] { return rested_in_motion_ == (mean_ == BracketMean::geometric); };
+        const auto may_fail_before = [&] { return crept_ || rested_in_motion_ == (mean_ == BracketMean::geometric); };
         while (bisect() && may_fail_before() && fails_where_less_is_demanded()) {
         }
         return critical_;
@@ -87,6 +87,7 @@ class Bisection {
         if (stands) {
             stood_.push_back(value);
             rested_in_motion_ = run.rested_in_motion;
+            crept_ = run.crept;
         } else {
             critical_.held_by_corners = run.outcome == RelaxationOutcome::held_by_corners;
         }
@@ -118,7 +119,10 @@ class Bisection {
     bool fails_where_less_is_demanded() {
         const double should_stand = stood_.front();
         const double found = critical_.stands;
-        for (const double share : mean_ == BracketMean::geometric ? less_demanding_shares : shares_of_angle) {
+        const std::span<const double> shares(less_demanding_shares);
+        for (const double share : mean_ == BracketMean::geometric ? shares.first(4)
+                                  : crept_                        ? shares
+                                                                  : shares.last(4)) {
             const double value = mean_ == BracketMean::arithmetic ? should_stand + share * (found - should_stand)
                                  : stands_low_                    ? found * share
                                                                   : found / share;
@@ -151,6 +155,7 @@ class Bisection {
     bool stands_low_;
     std::vector<double> stood_;
     bool rested_in_motion_ = false;  // in the last run that stood
+    bool crept_ = false;             // likewise
     CriticalValue critical_;
 };
 

@@ -4,8 +4,8 @@
 // accuracy: stiffness shifts the answer (simulation.hpp). Blocks that came to rest only after they had moved may stand
 // at one value and fail at a less demanding one; bisection sees one such change. Where the blocks at the ratio found
 // came to rest in motion, values less demanding by 2 to 10 % are tried as well, and where they rest without motion at
-// the angle found, four on its way from the bound at which the blocks should stand: the answer is the least demanding
-// at which they were found to fail.
+// the angle found, four on its way from the bound at which the blocks should stand; all of these where they crept: the
+// answer is the least demanding at which they were found to fail.
 // Blocks that rest beyond the threshold of onset from where a run began have failed. Those that rest, or whose run has
 // no verdict, fail if statics finds no forces that hold them in the initial geometry (failed_at_rest.hpp).
 #pragma once
@@ -48,7 +48,9 @@ struct CriticalProbe {
     RelaxationOutcome outcome;  // equilibrium stands; onset and collapse fail, and so do blocks held only by corners
     std::uint64_t steps;
     std::uint64_t contacts_evaluated = 0;
-    bool rested_in_motion = false;  // statics found no equilibrium, or was not used
+    bool rested_in_motion = false;  // the solver of statics found no equilibrium, or was not used
+    bool crept = false;             // it found one that the blocks reach near the threshold of onset
+    bool without_run = false;       // admissible forces do not exist, which gives the verdict by itself
 };
 
 // How a bracket is divided. With the geometric mean, ratios over decades take no more runs for small values than for

@@ -55,7 +55,7 @@ bool rests_beyond_onset(const Simulation& simulation, const std::vector<Motion>&
     // Blocks on soft joints settle by as much, however strong these are.
     settings.creep = false;
     settings.start = RelaxationStart::preloaded;
-    const RelaxationScene strong = with_greatest_strength(scene);
+    const RelaxationScene strong = with_multiplied_strength(scene, greatest_strength);
     const Simulation settled =
         begun_at != nullptr ? Simulation(strong, settings, ConsolidatedState{*begun_at}) : Simulation(strong, settings);
     const std::optional<StartBalance>& balance = settled.state().start_balance;
@@ -99,6 +99,8 @@ void move_to_onset(const Bodies& bodies, const RelaxationSettings& settings, std
     }
 }
 
+constexpr std::size_t quickly_asked = 2000;  // blocks of which statics tells in about a second
+
 // The state in which blocks have failed by statics, if it has to be asked and finds no forces that hold them.
 std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, InitialContact contact) {
     const RelaxationOutcome outcome = simulation.outcome();
@@ -109,7 +111,6 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     bool open = outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::overlap_too_large ||
                 outcome == RelaxationOutcome::energy_not_balanced;
     if (outcome == RelaxationOutcome::equilibrium) {
-        constexpr std::size_t quickly_asked = 2000;
         constexpr double beyond_settlement = 0.002;  // rad, or of a radius: blocks as stiff as usual settle by a third
         open = bodies.size() <= quickly_asked || std::max(moved.rotation, moved.displacement) > beyond_settlement ||
                !simulation.scene().bolt.empty();
@@ -162,6 +163,14 @@ std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, Init
         failed->onset_time = begun_at != nullptr ? begun_at->time : 0;
     }
     return failed;
+}
+
+bool fails_by_statics(const RelaxationScene& scene, const RelaxationSettings& settings, InitialContact contact) {
+    if (scene.block.size() > quickly_asked || settings.corners_bear || contact == InitialContact::perhaps_none) {
+        return false;
+    }
+    const std::optional<StaticMechanism> mechanism = mechanism_of_statics(scene);
+    return mechanism && !mechanism->at_any_strength;
 }
 
 RelaxationResult result_of(const Simulation& at_rest, const RelaxationState& failed) {

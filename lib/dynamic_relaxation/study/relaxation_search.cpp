@@ -79,12 +79,37 @@ class PathSearch {
     }
 
     PathValue find() {
+        PathValue value = searched();
+        take_up_failed(value);
+        count_costs(value);
+        return value;
+    }
+
+    // A single run from the initial geometry, of so many steps at most.
+    CriticalProbe run_at(double value, std::uint64_t most_steps) {
+        settings_.most_steps = std::min(settings_.most_steps, static_cast<std::size_t>(most_steps));
+        return probe_at(value, Needed::run);
+    }
+
+    void multiply_stiffness(double factor) {
+        for (JointMaterial& material : scene_.material) {
+            material.normal_stiffness *= factor;
+            material.shear_stiffness *= factor;
+        }
+    }
+
+    // Sets the watch, which receives the share of the path's work done, including that of the present run.
+    void tell(const std::function<bool(double)>& watch) { watch_ = watch; }
+
+  private:
+    enum class Needed { verdict, run };  // statics may give the verdict without a run
+
+    PathValue searched() {
         PathValue value;
         value.path = path_;
         double should_stand = plan_.should_stand();
         if (path_ == LoadingPath::consolidated) {
             if (!consolidate(value)) {
-                take_up_failed(value);
                 return value;
             }
             const double at = *value.consolidated_at;
@@ -94,7 +119,7 @@ class PathSearch {
             if (const auto known = standing_.find(at); known != standing_.end()) {
                 return known->second;
             }
-            const CriticalProbe made = probe_at(at, Begin::from_consolidated);
+            const CriticalProbe made = probe_at(at, Needed::verdict);
             if (made.outcome == RelaxationOutcome::equilibrium) {
                 standing_.emplace(at, made);
             }
@@ -120,29 +145,8 @@ class PathSearch {
             const bool tells = other.status == CriticalStatus::found || other.status == CriticalStatus::interrupted;
             found = tells ? other : found;
         }
-        count_costs(value);
-        take_up_failed(value);
         return value;
     }
-
-    // A single run from the initial geometry, of so many steps at most.
-    CriticalProbe run_at(double value, std::uint64_t most_steps) {
-        settings_.most_steps = std::min(settings_.most_steps, static_cast<std::size_t>(most_steps));
-        return probe_at(value, Begin::at_start);
-    }
-
-    void multiply_stiffness(double factor) {
-        for (JointMaterial& material : scene_.material) {
-            material.normal_stiffness *= factor;
-            material.shear_stiffness *= factor;
-        }
-    }
-
-    // Sets the watch, which receives the share of the path's work done, including that of the present run.
-    void tell(const std::function<bool(double)>& watch) { watch_ = watch; }
-
-  private:
-    enum class Begin { at_start, from_consolidated };
 
     RelaxationStart start_of_path() const {
         switch (path_) {
@@ -216,15 +220,13 @@ class PathSearch {
     // Returns false, and sets the status, if the blocks come to rest at none of these.
     bool consolidate(PathValue& value) {
         for (const double at : consolidation_values()) {
-            const CriticalProbe probe = probe_at(at, Begin::at_start);
+            const CriticalProbe probe = probe_at(at, Needed::verdict);
             if (probe.outcome == RelaxationOutcome::equilibrium) {
                 value.consolidated_at = at;
                 standing_.emplace(at, probe);
                 return true;
             }
-            CriticalValue& tried = value;
-            tried = find_critical([&](double) { return probe; }, at, at, plan_.tolerance);
-            count_costs(value);
+            static_cast<CriticalValue&>(value) = find_critical([&](double) { return probe; }, at, at, plan_.tolerance);
             // Blocks that fall far may crush each other: such a run has failed, but a stronger slope may come to rest.
             if (value.status != CriticalStatus::fails_everywhere && value.status != CriticalStatus::run_failed) {
                 break;
@@ -233,7 +235,8 @@ class PathSearch {
         return false;
     }
 
-    CriticalProbe probe_at(double value, Begin begin) {
+    // The run begins from the consolidated state, if there is one.
+    CriticalProbe probe_at(double value, Needed needed) {
         const std::size_t number = runs_++;
         if (number < progress_.probe.size()) {
             return progress_.probe[number];
@@ -242,7 +245,12 @@ class PathSearch {
         if (check(scene, settings_).check != SceneCheck::valid) {
             return progress_.probe.emplace_back(CriticalProbe{RelaxationOutcome::scene_not_valid, 0});
         }
-        Simulation simulation = begun(scene, begin);
+        if (needed == Needed::verdict && !progress_.probe_state &&
+            fails_by_statics(scene, settings_, initial_contact(study_))) {
+            progress_.failed.reset();
+            return progress_.probe.emplace_back(CriticalProbe{RelaxationOutcome::onset, 0, 0, false, false, true});
+        }
+        Simulation simulation = begun(scene);
         const double expected = 5 + std::ceil(std::log2(std::max(2.0, (plan_.upper - plan_.lower) / plan_.tolerance)));
         const bool ended = go_on(
             simulation, work_,
@@ -262,15 +270,19 @@ class PathSearch {
         }
         const bool balanced =
             result.start_balance && result.start_balance->unbalanced_ratio <= settings_.equilibrium_ratio;
-        const RelaxationState* begun_at =
-            begin == Begin::from_consolidated && progress_.consolidated ? &*progress_.consolidated : nullptr;
+        const RelaxationState* begun_at = progress_.consolidated ? &*progress_.consolidated : nullptr;
         std::optional<RelaxationState> failed = failed_at_rest(simulation, initial_contact(study_), begun_at);
         const RelaxationOutcome outcome = failed ? RelaxationOutcome::onset : simulation.outcome();
-        progress_.probe.push_back({outcome, cost.steps, cost.contacts_evaluated, !balanced});
+        const std::vector<Motion> unmoved(scene.block.size());
+        constexpr double near_onset = 0.5;
+        const MotionExtremes moved =
+            farthest_motion(simulation.bodies(), simulation.state(), begun_at ? begun_at->motion : unmoved);
+        const bool crept = balanced && moved.in_thresholds(settings_) > near_onset;
+        progress_.probe.push_back({outcome, cost.steps, cost.contacts_evaluated, !balanced, crept});
         if (shows_failure(outcome)) {
             progress_.failed = failed ? std::move(failed) : simulation.state();
         } else if (outcome == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
-                   begin == Begin::at_start) {
+                   !progress_.consolidated) {
             progress_.consolidated = simulation.state();
         }
         return progress_.probe.back();
@@ -285,37 +297,44 @@ class PathSearch {
         return settings;
     }
 
-    Simulation begun(const RelaxationScene& scene, Begin begin) {
+    Simulation begun(const RelaxationScene& scene) {
         if (std::optional<RelaxationState> state = std::exchange(progress_.probe_state, {})) {
             return Simulation(scene, settings_of_run(), std::move(*state));
         }
-        if (begin == Begin::from_consolidated && progress_.consolidated) {
+        if (progress_.consolidated) {
             return Simulation(scene, settings_of_run(), ConsolidatedState{*progress_.consolidated});
         }
         return Simulation(scene, settings_);
     }
 
     void count_costs(CriticalValue& value) const {
-        value.runs = progress_.probe.size();
-        value.steps = value.contacts_evaluated = 0;
+        value.runs = value.steps = value.contacts_evaluated = 0;
         for (const CriticalProbe& probe : progress_.probe) {
+            value.runs += probe.without_run ? 0 : 1;
             value.steps += probe.steps;
             value.contacts_evaluated += probe.contacts_evaluated;
         }
     }
 
-    void take_up_failed(PathValue& value) const {
-        const bool any = value.status == CriticalStatus::found || value.status == CriticalStatus::fails_everywhere;
-        if (!any || !progress_.failed) {
+    // Gives the run that failed at the value found, which is still to be made where statics gave the verdict.
+    void take_up_failed(PathValue& value) {
+        if (value.status != CriticalStatus::found && value.status != CriticalStatus::fails_everywhere) {
             return;
         }
         const double at = value.status == CriticalStatus::found ? value.fails : value.last;
-        RelaxationRun run{scene_at(at), settings_of_run(), {}, {}};
-        const Simulation simulation(run.scene, run.settings, *progress_.failed);
-        run.result = simulation.result();
-        run.end = *progress_.failed;
-        run.post_failure = post_failure_of(study_, run, run.end->motion, run.end->removed);
-        value.failed = std::move(run);
+        if (!progress_.failed) {
+            const RelaxationOutcome outcome = probe_at(at, Needed::run).outcome;
+            value.held_by_corners = outcome == RelaxationOutcome::held_by_corners;
+            value.status = outcome == RelaxationOutcome::interrupted ? CriticalStatus::interrupted : value.status;
+        }
+        if (progress_.failed) {
+            RelaxationRun run{scene_at(at), settings_of_run(), {}, {}};
+            const Simulation simulation(run.scene, run.settings, *progress_.failed);
+            run.result = simulation.result();
+            run.end = *progress_.failed;
+            run.post_failure = post_failure_of(study_, run, run.end->motion, run.end->removed);
+            value.failed = std::move(run);
+        }
     }
 
     const RelaxationStudy& study_;
@@ -354,24 +373,6 @@ std::pair<double, RelaxationOutcome> tried_below(const RelaxationStudy& study, c
 }
 
 }  // namespace
-
-CriticalParameter parameter_of(const CriticalRequest& request) {
-    return static_cast<CriticalParameter>(request.index());
-}
-
-std::string_view name_of_critical(CriticalParameter parameter) {
-    switch (parameter) {
-    case CriticalParameter::tilt:
-        return "critical_tilt";
-    case CriticalParameter::friction:
-        return "limiting_friction_angle";
-    case CriticalParameter::strength_reduction:
-        return "factor_of_safety";
-    case CriticalParameter::weight:
-        break;
-    }
-    return "critical_weight_factor";
-}
 
 CriticalPlan critical_plan(const RelaxationStudy& study) {
     const CriticalRequest& request = *study.critical;

@@ -43,10 +43,10 @@ RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std
     return scene;
 }
 
-RelaxationScene with_greatest_strength(const RelaxationScene& scene) {
+RelaxationScene with_multiplied_strength(const RelaxationScene& scene, double factor) {
     std::vector<std::size_t> all(scene.material.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return with_reduced_strength(scene, all, 1 / greatest_strength);
+    return with_reduced_strength(scene, all, 1 / factor);
 }
 
 std::vector<std::string> joint_names(const BlockScene& scene) {

@@ -28,7 +28,7 @@ RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std
 inline constexpr double greatest_strength = 100;
 
 // Every joint and the rock in it so many times as strong.
-RelaxationScene with_greatest_strength(const RelaxationScene& scene);
+RelaxationScene with_multiplied_strength(const RelaxationScene& scene, double factor);
 
 // Names of the joints in a case, in their order: those of a jointed slope; "interface" and "base" of a row or columns;
 // "1", "2", ... of blocks.

@@ -71,6 +71,19 @@ TEST(FindCritical, AnglesAtWhichItStandsAgainAreNoAnswer) {
     EXPECT_NEAR(*critical.stands_again, 38.0, 0.01);
 }
 
+// Seven blocks between two walls fail from 29.1 deg on, but creep to a balance near 30.25, where bisection comes by.
+TEST(FindCritical, AnglesJustBelowOneToWhichBlocksCreepAreTried) {
+    const auto probe = [](double value) {
+        CriticalProbe made = stands_if(value < 29.1 || (value > 30.2 && value < 30.26));
+        made.crept = value > 30;
+        return made;
+    };
+    const CriticalValue critical = find_critical(probe, 4, 60, 0.01);
+    ASSERT_EQ(critical.status, CriticalStatus::found);
+    EXPECT_NEAR(critical.value(), 29.1, 0.01);
+    EXPECT_TRUE(critical.stands_again);
+}
+
 TEST(FindCritical, CollapseCountsAsFailure) {
     const auto probe = [](double value) {
         return CriticalProbe{value < 0.5 ? RelaxationOutcome::equilibrium : RelaxationOutcome::collapse, 1};
