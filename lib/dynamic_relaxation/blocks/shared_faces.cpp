@@ -4,14 +4,14 @@
 
 namespace delabole {
 
-std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge) {
+std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge, double opening) {
     const std::size_t block = bodies.block_of[edge];
     const std::size_t other = bodies.block_of[other_edge];
     const PlanePoint<>& along = bodies.along[other_edge];
     if (bodies.along[edge].dot(along) >= 0) {
         return {};
     }
-    const double tolerance = opening_of_closed_joint(bodies, block, other);
+    const double tolerance = opening_of_closed_joint(bodies, block, other, opening);
     const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
     const auto from_start = [&](std::size_t corner) -> PlanePoint<> {
         return between + (bodies.corner[corner] - bodies.corner[other_edge]);
@@ -37,23 +37,36 @@ std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, st
                       end - begin};
 }
 
-std::vector<BlockPair> touching_blocks(const Bodies& bodies) {
+std::array<double, 2> opening_in_drawing(const Bodies& bodies, const SharedFace& face) {
+    const PlanePoint<> between = bodies.centroid[face.block] - bodies.centroid[face.other];
+    const PlanePoint<> normal = bodies.normal(face.other_edge);
+    const auto from_middle = [&](std::size_t corner) -> PlanePoint<> {
+        return between + (bodies.corner[corner] - face.other_arm);
+    };
+    const PlanePoint<> last = from_middle(face.edge);
+    const PlanePoint<> first = from_middle(bodies.range[face.block].after(face.edge));
+    const double slope = normal.dot(last - first) / face.along.dot(last - first);
+    const auto at = [&](double position) { return normal.dot(first) + slope * (position - face.along.dot(first)); };
+    return {at(-face.length / 2), at(face.length / 2)};
+}
+
+std::vector<BlockPair> touching_blocks(const Bodies& bodies, double opening) {
     const std::vector<Motion> unmoved(bodies.size());
     const std::vector<char> none_removed(bodies.size(), 0);
     // The sum of both is at least the opening of a closed joint.
     std::vector<double> reach(bodies.size());
     for (std::size_t block = 0; block < bodies.size(); ++block) {
-        reach[block] = opening_of_closed_joint(bodies, block, block) / 2;
+        reach[block] = opening_of_closed_joint(bodies, block, block, opening) / 2;
     }
     return neighbouring_blocks(bodies, unmoved, none_removed, reach);
 }
 
-std::vector<SharedFace> find_shared_faces(const Bodies& bodies) {
+std::vector<SharedFace> find_shared_faces(const Bodies& bodies, double opening) {
     std::vector<SharedFace> faces;
-    for (const auto& [first, second] : touching_blocks(bodies)) {
+    for (const auto& [first, second] : touching_blocks(bodies, opening)) {
         for (std::size_t edge = bodies.range[first].begin; edge < bodies.range[first].end; ++edge) {
             for (std::size_t other = bodies.range[second].begin; other < bodies.range[second].end; ++other) {
-                if (const std::optional<SharedFace> face = shared_face(bodies, edge, other)) {
+                if (const std::optional<SharedFace> face = shared_face(bodies, edge, other, opening)) {
                     faces.push_back(*face);
                 }
             }

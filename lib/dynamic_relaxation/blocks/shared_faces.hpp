@@ -5,6 +5,7 @@
 #include "dynamic_relaxation/blocks/neighbours.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -23,22 +24,29 @@ struct SharedFace {
     double length;           // m
 };
 
-// A joint of two blocks counts as closed if it is open by less than this in the initial geometry: in shortest edges of
-// the two, and in m.
+// A joint of two blocks counts as closed if it is open by no more than this in the initial geometry: in shortest edges
+// of the two, and in m. Its blocks touch there from the beginning, so that rounded coordinates make no difference.
 inline constexpr double closed_joint = 1e-3;
-inline double opening_of_closed_joint(const Bodies& bodies, std::size_t block, std::size_t other) {
-    return closed_joint * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
+inline double opening_of_closed_joint(const Bodies& bodies, std::size_t block, std::size_t other,
+                                      double opening = closed_joint) {
+    return opening * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
 }
 
 // The face that two edges share if they face each other, lie on one line within the opening of a closed joint, and
-// share a length greater than that; empty otherwise.
-std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge);
+// share a length greater than that; empty otherwise. Here and below another `opening` may be allowed, in shortest
+// edges.
+std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge,
+                                      double opening = closed_joint);
+
+// By how much a face of find_shared_faces is open in the initial geometry where its length starts and ends along the
+// other's edge, m; negative where the blocks overlap.
+std::array<double, 2> opening_in_drawing(const Bodies& bodies, const SharedFace& face);
 
 // Pairs of blocks, not both fixed, that may touch in the initial geometry, in increasing order.
-std::vector<BlockPair> touching_blocks(const Bodies& bodies);
+std::vector<BlockPair> touching_blocks(const Bodies& bodies, double opening = closed_joint);
 
 // The shared faces of these pairs, in the same order.
-std::vector<SharedFace> find_shared_faces(const Bodies& bodies);
+std::vector<SharedFace> find_shared_faces(const Bodies& bodies, double opening = closed_joint);
 
 // Position of the block's face relative to the other block, whose face carries the axes.
 struct FacePosition {

@@ -126,14 +126,7 @@ OutlineShift shift_by(const Bond& bond, const FacePosition& at) {
         const double held = pressing[end] > 0 ? -pressing[end] / bond.contact_stiffness : std::max(opening[end], 0.0);
         shift[end] = held - opening[end];
     }
-    // Shift of the block that the face names first, about the middle of the face.
-    const double angle = (shift[0] - shift[1]) / face.length;
-    const PlanePoint<> out = (shift[0] + shift[1]) / 2 * PlanePoint<>(face.along.y(), -face.along.x());
-    const bool is_lower = face.block < face.other;
-    const PlanePoint<>& arm = is_lower ? face.arm : face.other_arm;
-    const PlanePoint<> of_centroid = out - angle * PlanePoint<>(-arm.y(), arm.x());
-    const double sense = is_lower ? 1 : -1;
-    return {sense * of_centroid.x(), sense * of_centroid.y(), sense * angle};
+    return outline_shift(face, shift);
 }
 
 // Returns the mode in which an overloaded bond breaks.
@@ -254,7 +247,11 @@ BondLoading loading_of(const Bond& bond, const FacePosition& at) {
 }
 
 Bonds::Bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping, Team& team)
-    : team_(team), bond_(make_bonds(scene, bodies, viscous_damping)), force_(bond_.size()), breaks_(bond_.size(), 0) {
+    : team_(team),
+      bond_(make_bonds(scene, bodies, viscous_damping)),
+      force_(bond_.size()),
+      breaks_(bond_.size(), 0),
+      drawn_open_(closing_shifts(bodies)) {
     if (bond_.empty()) {
         return;
     }
@@ -280,10 +277,14 @@ std::vector<BlockPair> Bonds::joined(const std::vector<BondMemory>& memory) cons
 }
 
 void Bonds::resume(const std::vector<BondMemory>& memory) {
-    shifted_.clear();
+    shifted_ = drawn_open_;
     for (std::size_t index = 0; index < bond_.size(); ++index) {
         if (memory[index].shift != OutlineShift{}) {
-            shifted_.push_back({blocks_of(bond_[index].face), memory[index].shift});
+            const BlockPair pair = blocks_of(bond_[index].face);
+            const OutlineShift drawn = shift_of(pair, drawn_open_);
+            const OutlineShift& since = memory[index].shift;
+            std::erase_if(shifted_, [&](const ShiftedPair& one) { return one.pair == pair; });
+            shifted_.push_back({pair, {drawn.x + since.x, drawn.y + since.y, drawn.angle + since.angle}});
         }
     }
     std::ranges::sort(shifted_, {}, &ShiftedPair::pair);

@@ -119,7 +119,7 @@ class Bonds {
     // Pairs with a whole bond, in increasing order.
     std::vector<BlockPair> joined(const std::vector<BondMemory>& memory) const;
 
-    // Pairs whose rock had shortened before it broke, in increasing order.
+    // Pairs whose joint was drawn open or whose rock had shortened before it broke, in increasing order.
     std::span<const ShiftedPair> shifted() const { return shifted_; }
     // Computes again what the memory of a resumed run does not hold.
     void resume(const std::vector<BondMemory>& memory);
@@ -155,6 +155,7 @@ class Bonds {
     std::vector<std::uint32_t> of_block_ = {};
     // Stored because the contact list reads it at every update, while bonds rarely break.
     std::vector<ShiftedPair> shifted_ = {};
+    std::vector<ShiftedPair> drawn_open_;
 };
 
 // Contacts along the bond's face that have replaced the bond take over what it carried, as far as they can. `state` is

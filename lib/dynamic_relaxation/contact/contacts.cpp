@@ -4,8 +4,61 @@
 #include "dynamic_relaxation/contact/pair_search.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace delabole {
+
+OutlineShift outline_shift(const SharedFace& face, const std::array<double, 2>& displaced) {
+    // Of the block that the face names first, about the middle of the face.
+    const double angle = (displaced[0] - displaced[1]) / face.length;
+    const PlanePoint<> out = (displaced[0] + displaced[1]) / 2 * PlanePoint<>(face.along.y(), -face.along.x());
+    const bool is_lower = face.block < face.other;
+    const PlanePoint<>& arm = is_lower ? face.arm : face.other_arm;
+    const PlanePoint<> of_centroid = out - angle * PlanePoint<>(-arm.y(), arm.x());
+    const double sense = is_lower ? 1 : -1;
+    return {sense * of_centroid.x(), sense * of_centroid.y(), sense * angle};
+}
+
+std::vector<ShiftedPair> closing_shifts(const Bodies& bodies) {
+    constexpr double rounding = 1e-9;  // of the shortest edge
+    std::vector<ShiftedPair> shifts;
+    const std::vector<SharedFace> faces = find_shared_faces(bodies);
+    for (auto begin = faces.begin(); begin != faces.end();) {
+        const BlockPair pair(begin->block, begin->other);
+        const auto end = std::find_if(
+            begin, faces.end(), [&](const SharedFace& face) { return BlockPair(face.block, face.other) != pair; });
+        const SharedFace& longest =
+            *std::max_element(begin, end, [](const auto& one, const auto& other) { return one.length < other.length; });
+        const std::array<double, 2> opening = opening_in_drawing(bodies, longest);
+        const double little = rounding * std::min(bodies.shortest_edge[pair.first], bodies.shortest_edge[pair.second]);
+        const OutlineShift shift = outline_shift(longest, {-std::max(opening[0], 0.0), -std::max(opening[1], 0.0)});
+        const auto stays_apart = [&](const SharedFace& face) {
+            const std::array<double, 2> before = opening_in_drawing(bodies, face);
+            const PlanePoint<> normal(face.along.y(), -face.along.x());
+            const PlanePoint<> half = face.length / 2 * face.along;
+            const std::array<PlanePoint<>, 2> arm{face.arm - half, face.arm + half};
+            const auto stays = [&](std::size_t point) {
+                const PlanePoint<> moved(shift.x - shift.angle * arm[point].y(),
+                                         shift.y + shift.angle * arm[point].x());
+                return before[point] + normal.dot(moved) >= std::min(before[point], 0.0) - little;
+            };
+            return stays(0) && stays(1);
+        };
+        if (std::max(opening[0], opening[1]) > little && std::all_of(begin, end, stays_apart)) {
+            shifts.push_back({pair, shift});
+        }
+        begin = end;
+    }
+    return shifts;
+}
+
+void reach_as_shifted(const Bodies& bodies, std::span<const ShiftedPair> shifted, std::vector<double>& reach) {
+    for (const auto& [pair, shift] : shifted) {
+        for (const std::uint32_t block : {pair.first, pair.second}) {
+            reach[block] = std::max(reach[block], opening_of_closed_joint(bodies, pair.first, pair.second));
+        }
+    }
+}
 
 OutlineShift shift_of(const BlockPair& pair, std::span<const ShiftedPair> shifted) {
     const auto found = std::ranges::lower_bound(shifted, pair, {}, &ShiftedPair::pair);
@@ -18,7 +71,8 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
     ContactLaws laws;
     PairSearch search(scene, bodies, options.viscous_damping);
     PairContacts found;
-    const std::vector<double> reach(bodies.size(), options.margin / 2);
+    std::vector<double> reach(bodies.size(), options.margin / 2);
+    reach_as_shifted(bodies, options.shifted, reach);
     ContactRange before{0, 0};
     for (const BlockPair& pair : neighbouring_blocks(bodies, motion, removed, reach)) {
         if (std::binary_search(options.bonded.begin(), options.bonded.end(), pair)) {

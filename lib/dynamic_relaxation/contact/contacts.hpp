@@ -8,10 +8,12 @@
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
 #include "dynamic_relaxation/blocks/neighbours.hpp"
+#include "dynamic_relaxation/blocks/shared_faces.hpp"
 #include "dynamic_relaxation/wide/large_array.hpp"
 #include "dynamic_relaxation/wide/packed_array.hpp"
 #include "numerics/lanes.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -224,8 +226,8 @@ struct ContactList {
 };
 
 // Displacement, in the initial geometry, of the outline of a pair's block with the lower number, on which the pair's
-// contacts are based: it keeps the permanent shortening of the rock between the two blocks (bonds.hpp). It moves with
-// the block.
+// contacts are based: it closes a joint that was drawn slightly open, and keeps the permanent shortening of the rock
+// between the two blocks (bonds.hpp). It moves with the block.
 struct OutlineShift {
     double x = 0;      // m, of the centroid
     double y = 0;      // m
@@ -238,6 +240,17 @@ struct ShiftedPair {
     BlockPair pair;
     OutlineShift shift;
 };
+
+// The shift of the face's lower block that displaces its outline by these amounts, m, where the shared length starts
+// and ends along the other's edge, in the direction of the edge's outward normal.
+OutlineShift outline_shift(const SharedFace& face, const std::array<double, 2>& displaced);
+
+// Shifts that close the longest face of each pair whose closed joint is open by more than rounding of the calculation,
+// in increasing order of the pairs. Pairs in which that would make another face overlap have none.
+std::vector<ShiftedPair> closing_shifts(const Bodies& bodies);
+
+// How far neighbours are looked for: no less than shifted outlines reach.
+void reach_as_shifted(const Bodies& bodies, std::span<const ShiftedPair> shifted, std::vector<double>& reach);
 
 // Shift of a pair. `shifted`: pairs that have one, in increasing order.
 OutlineShift shift_of(const BlockPair& pair, std::span<const ShiftedPair> shifted);

@@ -53,13 +53,15 @@ double greatest_distance(const CornerRange& corners, const CornerRange& edges, c
 // Whether the corner, in the initial geometry, is below the line of the edge but outside another edge of the same
 // block, or farther below it than the blocks overlap. The latter are tips of blocks on the other side of a thin block.
 bool beside(const Bodies& bodies, const RelaxationContact& contact, double shortest) {
-    if (contact.gap >= 0) {
+    const PlanePoint<> between = bodies.centroid[contact.block] - bodies.centroid[contact.other];
+    const double gap =
+        bodies.normal(contact.edge).dot(between + (bodies.corner[contact.corner] - bodies.corner[contact.edge]));
+    if (gap >= 0) {
         return false;
     }
-    if (contact.gap < initial_distance(bodies, contact.block, contact.other, 0).distance - blend_length * shortest) {
+    if (gap < initial_distance(bodies, contact.block, contact.other, 0).distance - blend_length * shortest) {
         return true;
     }
-    const PlanePoint<> between = bodies.centroid[contact.block] - bodies.centroid[contact.other];
     const CornerRange& range = bodies.range[contact.other];
     for (std::size_t edge = range.begin; edge < range.end; ++edge) {
         if (bodies.normal(edge).dot(between + (bodies.corner[contact.corner] - bodies.corner[edge])) >

@@ -124,8 +124,8 @@ capacity = "300 kN"
                 0.8245, 0.01);
 }
 
-// As long as corners bear, the bolt bears nothing; without corners it has to stretch. A linear programme by another
-// hand gives 1.2713 with a bolt that bears up to its capacity, and 1.073 without the bolt.
+// The bolt bears nothing while corners on corners hold the blocks; once they give way, it stretches. A linear programme
+// written independently of ours gives a factor of 1.2713 with a bolt that bears up to its capacity, 1.073 without one.
 TEST(RelaxationRest, BoltsHoldWhatCornersHeld) {
     EXPECT_NEAR(factor_of(search_for_factor(R"(schema = 1
 model = "relaxation"

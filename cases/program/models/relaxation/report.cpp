@@ -157,6 +157,34 @@ bool is_in_or_on(const Polygon<>& convex, const PlanePoint<>& point) {
     return true;
 }
 
+// Warns of narrow joints that would have had cohesion or tensile strength had they been drawn closed.
+void append_warning_of_open_joints(const RelaxationScene& scene, Analysis& analysis) {
+    constexpr double narrow = 20 * closed_joint;
+    const Bodies bodies = make_bodies(scene);
+    std::size_t open = 0;
+    double widest = 0;
+    std::pair<std::size_t, std::size_t> blocks;
+    for (const SharedFace& face : find_shared_faces(bodies, narrow)) {
+        const JointMaterial& joint = scene.material[weaker_joint(scene, bodies, face.edge, face.other_edge)];
+        const std::array<double, 2> ends = opening_in_drawing(bodies, face);
+        const double opening = std::max(ends[0], ends[1]);
+        if ((joint.cohesion > 0 || joint.tensile_strength > 0) &&
+            opening > opening_of_closed_joint(bodies, face.block, face.other)) {
+            ++open;
+            blocks = opening > widest ? std::pair<std::size_t, std::size_t>(face.block, face.other) : blocks;
+            widest = std::max(widest, opening);
+        }
+    }
+    if (open > 0) {
+        analysis.warnings.push_back(
+            number_in_words(static_cast<double>(open)) + (open == 1 ? " joint is" : " joints are") +
+            " open in the initial geometry, by " + value_in_words(widest, Dimension::length) + " between blocks " +
+            std::to_string(blocks.first + 1) + " and " + std::to_string(blocks.second + 1) +
+            ", and so without cohesion and tensile strength there: closed joints are open by no more than a "
+            "thousandth of the shortest edge of their blocks");
+    }
+}
+
 // Warns of differences between the start of the run and the initial geometry, and of forces on fixed blocks or outside
 // their blocks.
 void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
@@ -177,6 +205,7 @@ void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
                                     number_in_words(100 * start->unbalanced_ratio) +
                                     " % of its load: at first they settle, as if dropped");
     }
+    append_warning_of_open_joints(made.scene, analysis);
     if (!has_fixed_block(made.scene) && !made.scene.belt) {
         analysis.warnings.emplace_back("no block is fixed: all of them fall");
     }

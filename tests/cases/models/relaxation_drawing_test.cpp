@@ -1,0 +1,90 @@
+// How precisely blocks are drawn makes no difference: joints that are closed but for rounded coordinates are closed,
+// and joints that are open are said to have lost their cohesion.
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/model_reports.hpp"
+
+#include "tests/cases/example_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace delabole {
+namespace {
+
+using testing::changed;
+
+// A slab of 4 x 1 m on two supports that meet under its middle; cohesion is kept after slip.
+constexpr std::string_view slab_text = R"(schema = 1
+model = "relaxation"
+[scene]
+kind = "blocks"
+tilt = "30 deg"
+joint = [{ friction_angle = "20 deg", cohesion = "20 kPa", residual_cohesion = "20 kPa" }]
+[[scene.block]]
+density = "2700 kg/m3"
+vertex = [{ x = "0 m", y = "0 m" }, { x = "4 m", y = "0 m" }, { x = "4 m", y = "1 m" }, { x = "0 m", y = "1 m" }]
+[[scene.block]]
+density = "2700 kg/m3"
+hold = "fixed"
+vertex = [{ x = "-3 m", y = "-1 m" }, { x = "2 m", y = "-1 m" }, { x = "2 m", y = "0 m" }, { x = "-3 m", y = "left m" }]
+[[scene.block]]
+density = "2700 kg/m3"
+hold = "fixed"
+vertex = [{ x = "2 m", y = "-1 m" }, { x = "7 m", y = "-1 m" }, { x = "7 m", y = "right m" }, { x = "2 m", y = "step m" }]
+[settings]
+stop = "onset"
+[critical]
+parameter = "strength_reduction"
+tolerance = 0.002
+)";
+
+struct Drawn {
+    const char* left = "0";   // level of the outer end of the lower support
+    const char* right = "0";  // of the upper one
+    const char* step = "0";   // of the upper one under the middle
+};
+
+Analysis analysis_of_slab(const Drawn& drawn) {
+    const std::string left = changed(slab_text, "left", drawn.left);
+    return analyse_model(parse_case(changed(changed(left, "right", drawn.right), "step", drawn.step), "case").model);
+}
+
+double factor_of_slab(const Analysis& analysis) {
+    return std::get<double>(analysis.find("factor_of_safety")->value);
+}
+
+bool warns_of_open_joints(const Analysis& analysis) {
+    return std::ranges::any_of(analysis.warnings, [](const std::string& warning) {
+        return warning.find("open in the initial geometry") != std::string::npos;
+    });
+}
+
+// Cohesion acts along 4 m: (c L + W cos 30 tan 20) / (W sin 30). With a step of 10 micrometres it acted along 2
+// m: 1.386.
+TEST(RelaxationDrawing, RoundedCoordinatesCostNoCohesion) {
+    const double weight = 4 * 2700 * 9.81;
+    const double whole = (20e3 * 4 + weight * std::cos(degrees(30)) * std::tan(degrees(20))) / (weight / 2);
+    // Half of the bracket, and the settlement of the springs.
+    constexpr double resolution = 0.003;
+    // A step under the middle, a slope of the upper support, a valley, a ridge.
+    for (const Drawn& drawn :
+         {Drawn{}, Drawn{"0", "-1e-6", "-1e-6"}, Drawn{"0", "-1e-5", "-1e-5"}, Drawn{"0", "-3e-4", "-3e-4"},
+          Drawn{"0", "-3e-4", "0"}, Drawn{"0", "0", "-3e-6"}, Drawn{"-3e-4", "-3e-4", "0"}}) {
+        const Analysis found = analysis_of_slab(drawn);
+        EXPECT_NEAR(factor_of_slab(found), whole, resolution) << drawn.left << ' ' << drawn.right << ' ' << drawn.step;
+        EXPECT_FALSE(warns_of_open_joints(found));
+    }
+}
+
+TEST(RelaxationDrawing, OpenJointsAreSaidToHaveNoCohesion) {
+    const Analysis open = analysis_of_slab({"0", "-3e-3", "-3e-3"});
+    EXPECT_LT(factor_of_slab(open), 1.5);
+    EXPECT_TRUE(warns_of_open_joints(open));
+}
+
+}  // namespace
+}  // namespace delabole
