@@ -106,16 +106,16 @@ template <class Number>
 DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
                                        const ContactPositionOf<Number>& at, const MaskOf<Number>& insists) {
     const Number overlap = -at.gap;
+    // The rise is 1 for a weight that begins at -0.5, 0.5 for one that begins at 0.5, and least for one that begins
+    // at 1.
+    const auto rise_from = [](const auto& least) { return 0.75 - 0.5 * least; };
     // A ramp is no steeper than the overlap allows, because a weight that changes faster acts as a stiffer spring. At
     // an end where a corner does not bear, it begins to bear at half its overlap from that end: a point can stand on a
-    // point.
-    constexpr double least_rise = 0.25;
-    const bool deep = any(overlap * ends.inverse_blend > least_rise);
+    // point. Where no overlap reaches the least rise, nothing has to be divided.
+    const bool deep = any(overlap * ends.inverse_blend > rise_from(1.0));
     const auto ramp = [&](const Number& depth, const Number& rise) {
         return deep ? select(depth * ends.inverse_blend > rise, rise / depth, ends.inverse_blend) : ends.inverse_blend;
     };
-    // The rise is 1 for a weight that begins at -0.5, 0.5 for one that begins at 0.5, 0.25 for one that begins at 1.
-    const auto rise_from = [](const Number& least) { return 0.75 - 0.5 * least; };
     const Number to_end = length_to_end - at.slide;
     const Number at_start = ends.start_weight + at.position * ramp(overlap, rise_from(ends.start_weight));
     const Number at_end = ends.end_weight + to_end * ramp(overlap, rise_from(ends.end_weight));

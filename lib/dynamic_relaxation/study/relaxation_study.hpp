@@ -53,7 +53,8 @@ struct RelaxationNumerics {
         using N = RelaxationNumerics;
         constexpr RelaxationSettings standard{};
         return FieldTable{
-            section<&N::quality>("sets step_fraction, stiffness_ratio and equilibrium_ratio where they are absent"),
+            section<&N::quality>("sets step_fraction, stiffness_ratio and equilibrium_ratio where they are absent; "
+                                 "absent: standard"),
             absent_is(accuracy_of(RelaxationQuality::standard).stiffness_ratio,
                       number<&N::stiffness_ratio>(within(1e3, 1e10),
                                                   "normal stiffness times width over weight of the heaviest block")),

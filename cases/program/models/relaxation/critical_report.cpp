@@ -182,12 +182,13 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
 std::vector<std::string> search_sentences(const CriticalPlan& plan, const CriticalAnswer& critical) {
     const Dimension dimension = dimension_of(plan.parameter);
     const bool is_factor = plan.parameter == CriticalParameter::strength_reduction;
-    const std::string name = is_factor ? "FS" : human_name(name_of_critical(plan.parameter));
+    const std::string name = is_factor ? "factor of safety" : human_name(name_of_critical(plan.parameter));
+    const double value = critical.value();
     if (critical.status != CriticalStatus::found) {
-        return {"No " + (is_factor ? "factor of safety" : name) + " found: " + path_in_words(plan, critical) + "."};
+        return {"No " + name + " found: " + path_in_words(plan, critical) + "."};
     }
-    return {capitalised(name + " " + value_in_words(critical.value(), dimension)) +
-                (is_factor ? (critical.value() >= 1 ? ", by strength reduction: stands." : ": fails.") : "."),
+    return {is_factor ? factor_in_words(value) + (value >= 1 ? ", by strength reduction: stands." : ": fails.")
+                      : capitalised(name + " " + value_in_words(value, dimension)) + ".",
             "At " + bracket_in_words(critical.stands, critical.fails, dimension) + " the blocks stand, at " +
                 bracket_in_words(critical.fails, critical.stands, dimension) + " they fail."};
 }
