@@ -398,11 +398,11 @@ evaluate "(async () => {
     while (!motion.said) await new Promise(requestAnimationFrame);
     await new Promise(done => setTimeout(done, 100));
     find('play').click();
-    return find('verdict').textContent.replace('Failed: ', 'failed, ');
+    return find('verdict').textContent.replace('Collapsed: ', 'collapsed, ');
 })()"
 "$program" run "$source_folder/cases/starting/jointed_slope.toml" --out jointed --no-report >plain.txt
 expect "what happened is said as delabole run says it: $value" contains plain.txt "${value//\"/}"
-expect "it has failed" test "${value:0:9}" == '"failed, '
+expect "it has failed" test "${value:0:12}" == '"collapsed, '
 expect "the console is empty" test ! -s "$scratch/console"
 close_browser
 end_server

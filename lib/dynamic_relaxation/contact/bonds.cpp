@@ -281,10 +281,14 @@ void Bonds::resume(const std::vector<BondMemory>& memory) {
     for (std::size_t index = 0; index < bond_.size(); ++index) {
         if (memory[index].shift != OutlineShift{}) {
             const BlockPair pair = blocks_of(bond_[index].face);
-            const OutlineShift drawn = shift_of(pair, drawn_open_);
             const OutlineShift& since = memory[index].shift;
-            std::erase_if(shifted_, [&](const ShiftedPair& one) { return one.pair == pair; });
-            shifted_.push_back({pair, {drawn.x + since.x, drawn.y + since.y, drawn.angle + since.angle}});
+            const auto drawn = std::ranges::lower_bound(drawn_open_, pair, {}, &ShiftedPair::pair);
+            if (drawn != drawn_open_.end() && drawn->pair == pair) {
+                OutlineShift& shift = shifted_[static_cast<std::size_t>(drawn - drawn_open_.begin())].shift;
+                shift = {drawn->shift.x + since.x, drawn->shift.y + since.y, drawn->shift.angle + since.angle};
+            } else {
+                shifted_.push_back({pair, since});
+            }
         }
     }
     std::ranges::sort(shifted_, {}, &ShiftedPair::pair);

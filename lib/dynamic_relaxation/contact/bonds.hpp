@@ -107,7 +107,8 @@ struct BondLoading {
 
 BondLoading loading_of(const Bond& bond, const FacePosition& at);
 
-// The bonds of a scene with their current forces. For a scene without bonds nothing is stored or computed.
+// The bonds of a scene with their current forces, and the outlines on which contacts are based instead of those drawn:
+// where rock shortened before it broke, and where a closed joint was drawn open.
 class Bonds {
   public:
     Bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping, Team& team);

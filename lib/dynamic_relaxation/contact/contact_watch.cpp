@@ -283,6 +283,7 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
         state.neighbours_until[block] = state.travelled[block] + reach[block] / 2;
         state.due[block] = infinity;
     }
+    // Not before, so that the blocks are due as if their outlines were not shifted.
     reach_as_shifted(bodies_, shifted_, reach);
     const auto drop = [&](std::size_t begin, std::size_t end) {
         for (std::size_t index = begin; index < end; ++index) {

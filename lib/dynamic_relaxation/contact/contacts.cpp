@@ -31,20 +31,25 @@ std::vector<ShiftedPair> closing_shifts(const Bodies& bodies) {
             *std::max_element(begin, end, [](const auto& one, const auto& other) { return one.length < other.length; });
         const std::array<double, 2> opening = opening_in_drawing(bodies, longest);
         const double little = rounding * std::min(bodies.shortest_edge[pair.first], bodies.shortest_edge[pair.second]);
-        const OutlineShift shift = outline_shift(longest, {-std::max(opening[0], 0.0), -std::max(opening[1], 0.0)});
-        const auto stays_apart = [&](const SharedFace& face) {
+        OutlineShift shift = outline_shift(longest, {-std::max(opening[0], 0.0), -std::max(opening[1], 0.0)});
+        // The outline turns about its centroid, where the face keeps its place to second order in the turn.
+        shift.x += shift.angle * shift.angle / 2 * longest.arm.x();
+        shift.y += shift.angle * shift.angle / 2 * longest.arm.y();
+        Motion as_motion;
+        as_motion.set_angle(shift.angle);
+        const auto stays_as_drawn = [&](const SharedFace& face) {
             const std::array<double, 2> before = opening_in_drawing(bodies, face);
             const PlanePoint<> normal(face.along.y(), -face.along.x());
             const PlanePoint<> half = face.length / 2 * face.along;
             const std::array<PlanePoint<>, 2> arm{face.arm - half, face.arm + half};
             const auto stays = [&](std::size_t point) {
-                const PlanePoint<> moved(shift.x - shift.angle * arm[point].y(),
-                                         shift.y + shift.angle * arm[point].x());
-                return before[point] + normal.dot(moved) >= std::min(before[point], 0.0) - little;
+                const PlanePoint<> moved = PlanePoint<>(shift.x, shift.y) + as_motion.turned_by(arm[point]);
+                const double after = before[point] + normal.dot(moved);
+                return after >= std::min(before[point], 0.0) - little && after <= std::max(before[point], 0.0) + little;
             };
             return stays(0) && stays(1);
         };
-        if (std::max(opening[0], opening[1]) > little && std::all_of(begin, end, stays_apart)) {
+        if (std::max(opening[0], opening[1]) > little && std::all_of(begin, end, stays_as_drawn)) {
             shifts.push_back({pair, shift});
         }
         begin = end;

@@ -88,7 +88,7 @@ struct ContactShapeOf {
     Number other_arm_y{};
     Number along_x{};  // of the edge
     Number along_y{};
-    Number gap{};         // from the edge to the corner
+    Number gap{};         // from the edge to the corner, where the pair's outline is shifted after the shift
     Number from_start{};  // of the edge to the corner, along the edge
     Number to_end{};      // from the corner to the edge's end, along the edge
 };
@@ -246,10 +246,11 @@ struct ShiftedPair {
 OutlineShift outline_shift(const SharedFace& face, const std::array<double, 2>& displaced);
 
 // Shifts that close the longest face of each pair whose closed joint is open by more than rounding of the calculation,
-// in increasing order of the pairs. Pairs in which that would make another face overlap have none.
+// in increasing order of the pairs. Pairs in which that would open another face or make it overlap have none.
 std::vector<ShiftedPair> closing_shifts(const Bodies& bodies);
 
-// How far neighbours are looked for: no less than shifted outlines reach.
+// Raises the reach within which the neighbours of blocks with a shifted outline are found to the opening of a closed
+// joint: the shift brings an outline nearer by no more.
 void reach_as_shifted(const Bodies& bodies, std::span<const ShiftedPair> shifted, std::vector<double>& reach);
 
 // Shift of a pair. `shifted`: pairs that have one, in increasing order.

@@ -1,13 +1,13 @@
-// The value of a parameter between standing and failing, by bisection over runs.
+// The value of a parameter between standing and failing, by bisection over verdicts of runs, or of statics alone.
 //
 // The answer is a bracket: the blocks stand at one end and fail at the other. Its width is the resolution, not the
 // accuracy: stiffness shifts the answer (simulation.hpp). Blocks that came to rest only after they had moved may stand
 // at one value and fail at a less demanding one; bisection sees one such change. Where the blocks at the ratio found
 // came to rest in motion, values less demanding by 2 to 10 % are tried as well, and where they rest without motion at
-// the angle found, four on its way from the bound at which the blocks should stand; all of these where they crept: the
-// answer is the least demanding at which they were found to fail.
-// Blocks that rest beyond the threshold of onset from where a run began have failed. Those that rest, or whose run has
-// no verdict, fail if statics finds no forces that hold them in the initial geometry (failed_at_rest.hpp).
+// the angle found, four on its way from the bound at which the blocks should stand; where they crept, these are tried
+// in either case, and angles less by 2 to 7 % of that way. The answer is the least demanding at which they were found
+// to fail. Blocks that rest beyond the threshold of onset from where a run began have failed. Those that rest, or whose
+// run has no verdict, fail if statics finds no forces that hold them in the initial geometry (failed_at_rest.hpp).
 #pragma once
 
 #include "dynamic_relaxation/step/outcome.hpp"
@@ -32,12 +32,12 @@ struct CriticalValue {
     CriticalStatus status = CriticalStatus::found;
     double stands = 0;                   // nearest value at which the blocks are known to stand
     double fails = 0;                    // nearest value at which they are known to fail
-    bool seen_to_stand = false;          // at `stands`, in a run; otherwise that is a bound not yet tried
+    bool seen_to_stand = false;          // at `stands`; otherwise that is a bound not yet tried
     bool seen_to_fail = false;           // at `fails`
     std::optional<double> stands_again;  // more demanding value than `fails`, at which the blocks stand
     bool held_by_corners = false;        // at `fails`: the blocks rest, but on corners alone
-    double last = 0;                     // value of the last run: if no value was found, the one that ended the search
-    std::uint64_t runs = 0;
+    double last = 0;                     // last value tried: if no value was found, the one that ended the search
+    std::uint64_t runs = 0;              // made; verdicts of statics alone take none
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;
 
@@ -49,7 +49,7 @@ struct CriticalProbe {
     std::uint64_t steps;
     std::uint64_t contacts_evaluated = 0;
     bool rested_in_motion = false;  // the solver of statics found no equilibrium, or was not used
-    bool crept = false;             // it found one that the blocks reach near the threshold of onset
+    bool crept = false;             // it found one only after they had moved by half of the threshold of onset or more
     bool without_run = false;       // admissible forces do not exist, which gives the verdict by itself
 };
 

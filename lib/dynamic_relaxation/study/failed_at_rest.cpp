@@ -121,7 +121,8 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     const bool within_onset = moved.in_thresholds(settings) < 1;
     std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene());
     bool some_landed = false;
-    if (mechanism && (mechanism->at_any_strength || (contact == InitialContact::perhaps_none && within_onset))) {
+    if (mechanism &&
+        (mechanism->at_any_strength == true || (contact == InitialContact::perhaps_none && within_onset))) {
         some_landed = has_closed_joints(simulation);
         mechanism = some_landed ? mechanism_where_blocks_landed(simulation, *mechanism) : mechanism;
     }
@@ -170,7 +171,7 @@ bool fails_by_statics(const RelaxationScene& scene, const RelaxationSettings& se
         return false;
     }
     const std::optional<StaticMechanism> mechanism = mechanism_of_statics(scene);
-    return mechanism && !mechanism->at_any_strength;
+    return mechanism && mechanism->at_any_strength == false;
 }
 
 RelaxationResult result_of(const Simulation& at_rest, const RelaxationState& failed) {

@@ -32,8 +32,8 @@ std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, Init
                                               const RelaxationState* begun_at = nullptr);
 
 // Whether statics alone shows that blocks fail on every path: the second reason above, where nothing that they may come
-// to rest on could hold them. A run is not needed for that verdict. False if it is not known; time: one linear
-// programme for blocks that stand, two for others, a second for 1500 blocks.
+// to rest on could hold them. A run is not needed for that verdict. False if it is not known. Time: that of
+// `mechanism_of_statics`.
 bool fails_by_statics(const RelaxationScene& scene, const RelaxationSettings& settings, InitialContact contact);
 
 // The result of such a run: energies and forces are those at rest, movements those of the failed state.

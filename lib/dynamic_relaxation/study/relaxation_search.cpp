@@ -354,7 +354,7 @@ class PathSearch {
 };
 
 // A run from the initial geometry at a share of the ratio found to stand, with joints of a share of their stiffness, in
-// as many steps as the search, at least a thousand. Interrupted where no ratio was found.
+// twice as many steps as the runs of the search, at least a thousand. Interrupted where no ratio was found.
 std::pair<double, RelaxationOutcome> tried_below(const RelaxationStudy& study, const CriticalPlan& plan,
                                                  LoadingPath path, const CriticalAnswer& found, double share,
                                                  double stiffness, const RelaxationWatch& watch) {
@@ -363,13 +363,14 @@ std::pair<double, RelaxationOutcome> tried_below(const RelaxationStudy& study, c
         return {value, RelaxationOutcome::interrupted};
     }
     constexpr std::uint64_t fewest_steps = 1000;
+    constexpr std::uint64_t without_runs = 2;  // values tried over runs made, about
     StudyWork work;
     work.watch = watch;
     StudyProgress whole;
     SearchProgress progress;
     PathSearch search(study, plan, path, work, whole, progress);
     search.multiply_stiffness(stiffness);
-    return {value, search.run_at(value, std::max(found.steps, fewest_steps)).outcome};
+    return {value, search.run_at(value, std::max(without_runs * found.steps, fewest_steps)).outcome};
 }
 
 }  // namespace

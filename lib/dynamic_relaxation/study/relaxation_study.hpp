@@ -204,10 +204,10 @@ using RelaxationWatch = std::function<bool(double share)>;
 
 // The state of the search on one path so far.
 struct SearchProgress {
-    std::vector<CriticalProbe> probe = {};             // finished runs, in their order
+    std::vector<CriticalProbe> probe = {};             // verdicts, in their order
     std::optional<RelaxationState> probe_state = {};   // of the run in progress, if any
     std::optional<RelaxationState> consolidated = {};  // from which runs begin; absent on other paths, or until found
-    std::optional<RelaxationState> failed = {};        // at the end of the last run that failed
+    std::optional<RelaxationState> failed = {};  // after the last verdict that the blocks fail; absent if by statics
 };
 
 // All results of a study so far, from which it continues exact to the last bit.
@@ -314,7 +314,7 @@ struct OtherPath {
     bool stands;
 };
 // Nothing where the search was on other paths, too, or on another one, found no value, or this run reached no verdict
-// in as many steps as the search, at least a thousand.
+// in twice as many steps as the runs of the search, at least a thousand.
 std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const CriticalAnswer& found,
                                         const RelaxationWatch& watch = {});
 

@@ -136,16 +136,15 @@ std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene
     }
     // What holds them may hold them with much less than the greatest strength, with which linear programmes take
     // longest.
-    bool at_any_strength = true;
+    std::optional<bool> held;
     for (const double factor : {4.0, 30.0, greatest_strength}) {
         const RelaxationScene stronger = with_multiplied_strength(scene, factor);
-        const std::optional<bool> held = stands(assembly_of(stronger, bodies, faces, removed, true).assembly);
-        at_any_strength = held == false;
+        held = stands(assembly_of(stronger, bodies, faces, removed, true).assembly);
         if (held == true) {
             break;
         }
     }
-    return StaticMechanism{motion_of_blocks(found, made, bodies.size()), at_any_strength};
+    return StaticMechanism{motion_of_blocks(found, made, bodies.size()), held ? std::optional(!*held) : std::nullopt};
 }
 
 std::optional<StaticMechanism> mechanism_where_blocks_landed(const Simulation& at_rest,

@@ -30,13 +30,14 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
                                                   const std::atomic<bool>* stop = nullptr);
 
 struct StaticMechanism {
-    std::vector<Motion> motion;    // of each block as it begins to fail, the fastest point by about a metre
-    bool at_any_strength = false;  // a hundred times the strength does not hold the blocks either
+    std::vector<Motion> motion;  // of each block as it begins to fail, the fastest point by about a metre
+    // Whether a hundred times the strength does not hold the blocks either; empty if that is not known.
+    std::optional<bool> at_any_strength = {};
 };
 
 // The mechanism by which blocks fail if no such forces exist at the scene's strength, bolts bearing up to their
-// capacity along their axes; nothing if there are such forces, or no answer. Two linear programmes: a second for 1500
-// blocks.
+// capacity along their axes; nothing if there are such forces, or no answer. One linear programme if there are such
+// forces, two to four if not; half a second each for 1500 blocks.
 std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene);
 
 // The same where blocks have come to rest on others that they did not touch in the initial geometry: forces act at

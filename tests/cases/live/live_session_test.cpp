@@ -345,7 +345,7 @@ TEST(LiveSession, AMotionEndsInTheWordsOfItsRun) {
         EXPECT_EQ(said["verdict"], head.sentences.front());
         EXPECT_EQ(said["sentences"], (std::vector<std::string>(head.sentences.begin() + 1, head.sentences.end())));
         EXPECT_EQ(said["over"], false);
-        EXPECT_TRUE(head.sentences.front().starts_with(friction < 40 ? "Failed: " : "Stands: ")) << said;
+        EXPECT_TRUE(head.sentences.front().starts_with(friction < 40 ? "Collapsed: " : "Stands: ")) << said;
     }
     // The motion continues from rest if the friction is reduced, and the session decides again how it ends.
     session.change_motion({{"values", {{"scene.joint[1].friction_angle", 12.0}}}});
@@ -353,7 +353,7 @@ TEST(LiveSession, AMotionEndsInTheWordsOfItsRun) {
     for (int turn = 0; turn < 1000 && session.verdict_of_motion({}).empty(); ++turn) {
         session.step_motion({{"steps", 500}});
     }
-    EXPECT_TRUE(session.verdict_of_motion({})["verdict"].get<std::string>().starts_with("Failed: "))
+    EXPECT_TRUE(session.verdict_of_motion({})["verdict"].get<std::string>().starts_with("Collapsed: "))
         << session.verdict_of_motion({});
 }
 

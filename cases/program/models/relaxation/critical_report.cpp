@@ -215,7 +215,7 @@ std::string end_in_words(const RelaxationRun& made) {
     case RelaxationOutcome::onset:
         return "Fails: " + area + " had begun to move" + after + ".";
     case RelaxationOutcome::collapse:
-        return "Collapsed: " + area + " had moved" + after + ", blocks of it beyond the limits of collapse.";
+        return "Collapsed: " + area + " had moved" + after + ", some of it beyond the limits of collapse.";
     case RelaxationOutcome::undecided:
         return "Not decided: the blocks neither came to rest nor failed" + after + ".";
     case RelaxationOutcome::interrupted:

@@ -168,8 +168,12 @@ void append_warning_of_open_joints(const RelaxationScene& scene, Analysis& analy
         const JointMaterial& joint = scene.material[weaker_joint(scene, bodies, face.edge, face.other_edge)];
         const std::array<double, 2> ends = opening_in_drawing(bodies, face);
         const double opening = std::max(ends[0], ends[1]);
+        const PlanePoint<> between =
+            bodies.centroid[face.other] + face.other_arm + opening / 2 * PlanePoint<>(face.along.y(), -face.along.x());
+        const bool is_joint =
+            std::ranges::none_of(scene.block, [&](const auto& block) { return inside(block.outline, between); });
         if ((joint.cohesion > 0 || joint.tensile_strength > 0) &&
-            opening > opening_of_closed_joint(bodies, face.block, face.other)) {
+            opening > opening_of_closed_joint(bodies, face.block, face.other) && is_joint) {
             ++open;
             blocks = opening > widest ? std::pair<std::size_t, std::size_t>(face.block, face.other) : blocks;
             widest = std::max(widest, opening);
@@ -178,10 +182,10 @@ void append_warning_of_open_joints(const RelaxationScene& scene, Analysis& analy
     if (open > 0) {
         analysis.warnings.push_back(
             number_in_words(static_cast<double>(open)) + (open == 1 ? " joint is" : " joints are") +
-            " open in the initial geometry, by " + value_in_words(widest, Dimension::length) + " between blocks " +
+            " open in the initial geometry, by up to " + value_in_words(widest, Dimension::length) + " (blocks " +
             std::to_string(blocks.first + 1) + " and " + std::to_string(blocks.second + 1) +
-            ", and so without cohesion and tensile strength there: closed joints are open by no more than a "
-            "thousandth of the shortest edge of their blocks");
+            "), and so without cohesion and tensile strength: joints count as closed up to a thousandth of the "
+            "shortest edge of their blocks");
     }
 }
 

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace delabole {
 namespace {
 
@@ -108,6 +111,54 @@ TEST(Contacts, TakeOverTheShearOfATwinWhereTheyComeAlongTheEdgeAlone) {
     const double of_twin = 1e9 * 1e-5 * 1e-5 / 2;
     EXPECT_NEAR(shear_energy_of_new_contact({0.01, 0}), of_twin, 1e-6 * of_twin);
     EXPECT_LT(shear_energy_of_new_contact({0, -1e-4}), 1e-6 * of_twin);
+}
+
+// A slab that is drawn above a base by `left` and `right` at its ends; the base is the lower block or the other one.
+RelaxationScene slab_above(double left, double right, bool base_first) {
+    RelaxationScene scene;
+    scene.block.push_back({{{0, left}, {2, right}, {2, 1}, {0, 1}}, density});
+    scene.block.push_back(fixed_block({{-1, -1}, {4, -1}, {4, 0}, {-1, 0}}));
+    if (base_first) {
+        std::swap(scene.block[0], scene.block[1]);
+    }
+    scene.material = {joint(1e9, degrees(30))};
+    return scene;
+}
+
+TEST(Contacts, TouchWhereAClosedJointIsDrawnOpen) {
+    for (const bool base_first : {false, true}) {
+        for (const auto& [left, right] : {std::pair(3e-4, 3e-4), std::pair(5e-4, 1e-4), std::pair(0.0, 3e-4)}) {
+            const Bodies bodies = make_bodies(slab_above(left, right, base_first));
+            const std::vector<ShiftedPair> shifts = closing_shifts(bodies);
+            ASSERT_EQ(shifts.size(), 1U) << left << ' ' << right;
+            // Less than a margin of the search is left to the gap.
+            const ContactList list = find_contacts(slab_above(left, right, base_first), bodies, std::vector<Motion>(2),
+                                                   {0, 0}, {1e-6, 0.2, true, {}, shifts}, {});
+            ASSERT_EQ(list.contact.size(), 2U);
+            for (std::size_t index = 0; index < 2; ++index) {
+                EXPECT_NEAR(list.contact[index].gap, 0, 1e-6 * std::max(left, right));
+            }
+        }
+    }
+}
+
+TEST(Contacts, StayApartWhereAJointIsOpenOrExact) {
+    for (const auto& [left, right] : {std::pair(0.0, 0.0), std::pair(-1e-5, -1e-5), std::pair(2e-3, 2e-3)}) {
+        EXPECT_TRUE(closing_shifts(make_bodies(slab_above(left, right, false))).empty()) << left << ' ' << right;
+    }
+}
+
+// A step of the slab rests on a step of the base: turned until the long face is closed, the slab would gape at the
+// short one.
+TEST(Contacts, AreLeftWhereClosingOneFaceOpensAnother) {
+    RelaxationScene scene;
+    scene.block.push_back({{{0, 0}, {1, 0}, {1, 0.5}, {3, 0.5003}, {3, 1}, {0, 1}}, density});
+    scene.block.push_back(fixed_block({{-1, -1}, {4, -1}, {4, 0.5}, {1, 0.5}, {1, 0}, {-1, 0}}));
+    scene.material = {joint(1e9, degrees(30))};
+    const Bodies bodies = make_bodies(scene);
+    const std::vector<SharedFace> faces = find_shared_faces(bodies);
+    ASSERT_EQ(std::ranges::count_if(faces, [](const SharedFace& face) { return face.length > 0.9; }), 2);
+    EXPECT_TRUE(closing_shifts(bodies).empty());
 }
 
 }  // namespace
