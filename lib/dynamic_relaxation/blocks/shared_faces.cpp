@@ -19,11 +19,15 @@ std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, st
     // Anticlockwise outlines run against each other along a shared face.
     const PlanePoint<> last = from_start(edge);
     const PlanePoint<> first = from_start(bodies.range[block].after(edge));
-    const PlanePoint<> normal = bodies.normal(other_edge);
     const double begin = std::max(0.0, along.dot(first));
     const double end = std::min(bodies.length[other_edge], along.dot(last));
-    if (std::abs(normal.dot(first)) > tolerance || std::abs(normal.dot(last)) > tolerance ||
-        !(end - begin > tolerance)) {
+    // Where one edge is longer, its ends may lie farther from the line of the shorter one than the other way round.
+    const auto on_line = [&](std::size_t line, const PlanePoint<>& one, const PlanePoint<>& two) {
+        const PlanePoint<> normal = bodies.normal(line);
+        return std::abs(normal.dot(one)) <= tolerance && std::abs(normal.dot(two)) <= tolerance;
+    };
+    if (!(end - begin > tolerance) ||
+        !(on_line(other_edge, first, last) || on_line(edge, last, last - bodies.length[other_edge] * along))) {
         return {};
     }
     const PlanePoint<> other_arm = bodies.corner[other_edge] + (begin + end) / 2 * along;

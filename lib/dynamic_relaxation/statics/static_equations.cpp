@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <span>
 #include <utility>
 
@@ -89,7 +88,10 @@ double stiffest_spring(const ContactList& list, const Bonds& bonds, std::span<co
 // pseudo-viscosity.
 std::array<double, 36> tangent_of(std::span<const PairResponse> responses, double resisting) {
     std::array<double, 36> tangent{};
-    for (const PairResponse& response : responses | std::views::filter(&PairResponse::acts)) {
+    for (const PairResponse& response : responses) {
+        if (!response.acts()) {
+            continue;
+        }
         const std::array<double, 6> normal = response.normal.of_both();
         const std::array<double, 6> along = response.along.of_both();
         const double normal_stiffness = response.normal_stiffness + resisting * response.normal_damping;
@@ -108,7 +110,10 @@ std::array<double, 36> tangent_of(std::span<const PairResponse> responses, doubl
 // Resisting forces of a unit pseudo-viscosity for displacements of both blocks.
 std::array<double, 6> damping_against(const std::array<double, 6>& moved, std::span<const PairResponse> responses) {
     std::array<double, 6> force{};
-    for (const PairResponse& response : responses | std::views::filter(&PairResponse::acts)) {
+    for (const PairResponse& response : responses) {
+        if (!response.acts()) {
+            continue;
+        }
         const auto resist = [&](const PairDirection& direction, double damping) {
             const double by = damping * (direction.x * (moved[0] - moved[3]) + direction.y * (moved[1] - moved[4]) +
                                          direction.lever * moved[2] + direction.other_lever * moved[5]);

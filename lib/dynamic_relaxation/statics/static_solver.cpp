@@ -127,34 +127,45 @@ class StaticSolver {
         if (!is_small_) {
             return approach_in_motion(start, motion, list);
         }
-        // Rounds in which blocks may creep can miss a balance near by.
+        // Rounds in which blocks may creep, or the large steps of the first rounds, can miss a balance near by.
+        std::optional<StaticSolution> balanced;
         if (settings_.leave_crept && creeping_ == nullptr) {
             const std::vector<Motion> motion_before = motion;
             const MemoryArray memory_before = list.memory;
             settings_.leave_crept = false;
-            StaticSolution found = approach_in_rounds(start, motion, list);
-            settings_.leave_crept = true;
-            if (found.ratio <= settings_.tolerance) {
-                return found;
+            for (const double resistance : {1.0, 30.0, 1e3}) {
+                StaticSolution found = approach_in_rounds(start, resistance, motion, list);
+                const bool near = share_of_creep(start, motion) < 1;
+                if (found.ratio <= settings_.tolerance && (near || !balanced)) {
+                    balanced = std::move(found);
+                    if (near) {
+                        break;
+                    }
+                }
+                motion = motion_before;
+                list.memory = memory_before;
             }
-            motion = motion_before;
-            list.memory = memory_before;
+            settings_.leave_crept = true;
         }
-        return approach_in_rounds(start, motion, list);
+        if (balanced) {
+            motion = balanced->most_balanced;
+            list.memory = balanced->memory;
+            return std::move(*balanced);
+        }
+        return approach_in_rounds(start, 1, motion, list);
     }
 
-    StaticSolution approach_in_rounds(const std::vector<Motion>& start, std::vector<Motion>& motion,
+    StaticSolution approach_in_rounds(const std::vector<Motion>& start, double resistance, std::vector<Motion>& motion,
                                       ContactList& list) {
-        // The resistance is at first as stiff as the joints, so that no contact is missed in a large step. It is then
-        // reduced as long as the balance does not become much worse: blocks may lose balance for a while before they
-        // jam. A step that makes the balance far worse, or exceeds half of the allowed distance, is not made: friction
-        // would preserve the forces that it leaves, and could hold blocks that nothing else holds.
+        // The resistance is at first as stiff as the joints or stiffer, so that no contact is missed in a large step.
+        // It is then reduced as long as the balance does not become much worse: blocks may lose balance for a while
+        // before they jam. A step that makes the balance far worse, or exceeds half of the allowed distance, is not
+        // made: friction would preserve the forces that it leaves, and could hold blocks that nothing else holds.
         constexpr double smaller = 1.6;
         constexpr double larger = 4;
         constexpr double much_worse = 1.5;
         constexpr double far_worse = 4;
         constexpr double half_way = 0.5;
-        double resistance = 1;
         double ratio = evaluate(motion, list);
         StaticSolution best{ratio, false, false, motion, list.memory, 0};
         bool improves = true;
@@ -445,18 +456,23 @@ class StaticSolver {
     // A share up to 1 means that the motion is within the limits.
     double share_of_limits(const std::vector<Motion>& start, const StaticSolution& met,
                            const std::vector<Motion>& motion) const {
-        double share = share_of_farthest(start, motion);
+        const double share = share_of_farthest(start, motion);
         if (!creeps()) {
             return share;
         }
-        const std::vector<Motion>& from =
-            creeping_ != nullptr && creeping_->ratio < met.ratio ? creeping_->most_balanced : met.most_balanced;
+        const bool began_better = creeping_ != nullptr && creeping_->ratio < met.ratio;
+        return std::max(share, share_of_creep((began_better ? *creeping_ : met).most_balanced, motion));
+    }
+
+    // The greatest motion of a block over what creep is allowed.
+    double share_of_creep(const std::vector<Motion>& from, const std::vector<Motion>& motion) const {
+        double share = 0;
         for (const std::size_t block : equations_.free_blocks()) {
             const Motion& now = motion[block];
-            const Motion& best = from[block];
+            const Motion& then = from[block];
             share = std::max(
-                {share, std::abs(now.angle - best.angle) / settings_.creep_rotation,
-                 std::hypot(now.x - best.x, now.y - best.y) / (settings_.creep_slide * bodies_.radius[block])});
+                {share, std::abs(now.angle - then.angle) / settings_.creep_rotation,
+                 std::hypot(now.x - then.x, now.y - then.y) / (settings_.creep_slide * bodies_.radius[block])});
         }
         return share;
     }

@@ -49,7 +49,8 @@ struct StaticSolution {
 // Method: implicit integration of a motion without mass, resisted by a pseudo-viscosity that decreases as balance
 // improves: it converges to stable equilibria only. Each solution uses Newton's tangents of the contacts (friction
 // makes them unsymmetric). Fewer than 24 free blocks move by one linear solution at a time, 300 at most; where
-// they may be left crept and find no balance that way, up to 2000 more. With more blocks, so many contacts would begin
+// they may be left crept up to three times as many, until a balance is near where they began, and 2000 more if there is
+// none. With more blocks, so many contacts would begin
 // or end to slide or to touch in one solution that balance would not improve. There, each step is solved until
 // pseudo-viscosity balances the unbalanced forces, from the memories that contacts had before it. Not only the blocks
 // resist but also their contacts, including open ones, which keeps them from fluttering; there are 2000 linear

@@ -127,7 +127,7 @@ RelaxationScene slab_above(double left, double right, bool base_first) {
 
 TEST(Contacts, TouchWhereAClosedJointIsDrawnOpen) {
     for (const bool base_first : {false, true}) {
-        for (const auto& [left, right] : {std::pair(3e-4, 3e-4), std::pair(5e-4, 1e-4), std::pair(0.0, 3e-4)}) {
+        for (const auto& [left, right] : {std::pair(3e-4, 3e-4), std::pair(9e-4, 1e-5), std::pair(0.0, 9e-4)}) {
             const Bodies bodies = make_bodies(slab_above(left, right, base_first));
             const std::vector<ShiftedPair> shifts = closing_shifts(bodies);
             ASSERT_EQ(shifts.size(), 1U) << left << ' ' << right;
