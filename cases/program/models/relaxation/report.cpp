@@ -166,14 +166,14 @@ void append_warning_of_open_joints(const RelaxationScene& scene, Analysis& analy
     std::pair<std::size_t, std::size_t> blocks;
     for (const SharedFace& face : find_shared_faces(bodies, narrow)) {
         const JointMaterial& joint = scene.material[weaker_joint(scene, bodies, face.edge, face.other_edge)];
-        const std::array<double, 2> ends = opening_in_drawing(bodies, face);
-        const double opening = std::max(ends[0], ends[1]);
+        const double opening = std::ranges::max(opening_in_drawing(bodies, face));
+        if ((joint.cohesion == 0 && joint.tensile_strength == 0) ||
+            !(opening > opening_of_closed_joint(bodies, face.block, face.other))) {
+            continue;  // most joints: for the others, all blocks are asked below
+        }
         const PlanePoint<> between =
             bodies.centroid[face.other] + face.other_arm + opening / 2 * PlanePoint<>(face.along.y(), -face.along.x());
-        const bool is_joint =
-            std::ranges::none_of(scene.block, [&](const auto& block) { return inside(block.outline, between); });
-        if ((joint.cohesion > 0 || joint.tensile_strength > 0) &&
-            opening > opening_of_closed_joint(bodies, face.block, face.other) && is_joint) {
+        if (std::ranges::none_of(scene.block, [&](const auto& block) { return inside(block.outline, between); })) {
             ++open;
             blocks = opening > widest ? std::pair<std::size_t, std::size_t>(face.block, face.other) : blocks;
             widest = std::max(widest, opening);
