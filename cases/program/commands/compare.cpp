@@ -51,7 +51,7 @@ struct Compared {
     }
 };
 
-// As CSV and JSON hold it: a number in its display unit, or a word.
+// CSV and JSON hold a number in its display unit, or a word.
 Cell in_file(const std::optional<Cell>& value, Dimension dimension) {
     const auto* number = value ? std::get_if<double>(&*value) : nullptr;
     return number != nullptr ? in_display_unit(*number, dimension) : value.value_or("absent");

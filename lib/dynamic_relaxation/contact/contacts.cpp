@@ -9,7 +9,7 @@
 namespace delabole {
 
 OutlineShift outline_shift(const SharedFace& face, const std::array<double, 2>& displaced) {
-    // Of the block that the face names first, about the middle of the face.
+    // The outline of the block that the face names first turns about the middle of the face.
     const double angle = (displaced[0] - displaced[1]) / face.length;
     const PlanePoint<> out = (displaced[0] + displaced[1]) / 2 * PlanePoint<>(face.along.y(), -face.along.x());
     const bool is_lower = face.block < face.other;
@@ -49,7 +49,7 @@ std::vector<ShiftedPair> closing_shifts(const Bodies& bodies) {
             };
             return stays(0) && stays(1);
         };
-        if (std::max(opening[0], opening[1]) > little && std::all_of(begin, end, stays_as_drawn)) {
+        if (std::ranges::max(opening) > little && std::all_of(begin, end, stays_as_drawn)) {
             shifts.push_back({pair, shift});
         }
         begin = end;

@@ -134,8 +134,7 @@ std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene
     if (found.status != LpStatus::optimal || found.stands()) {
         return std::nullopt;
     }
-    // What holds them may hold them with much less than the greatest strength, with which linear programmes take
-    // longest.
+    // The greatest strength is asked last: linear programmes with it take longest, and blocks often stand with less.
     std::optional<bool> held;
     for (const double factor : {4.0, 30.0, greatest_strength}) {
         const RelaxationScene stronger = with_multiplied_strength(scene, factor);
