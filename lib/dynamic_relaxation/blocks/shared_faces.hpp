@@ -32,9 +32,9 @@ inline double opening_of_closed_joint(const Bodies& bodies, std::size_t block, s
     return opening * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
 }
 
-// The face that two edges share if they face each other, lie on one line within the opening of a closed joint, and
-// share a length greater than that; empty otherwise. Here and below another `opening` may be allowed, in shortest
-// edges.
+// The face that two edges share if they face each other, the ends of one of them lie on the line of the other within
+// the opening of a closed joint, and they share a length greater than that; empty otherwise. Here and below another
+// `opening` may be allowed, in shortest edges.
 std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge,
                                       double opening = closed_joint);
 

@@ -8,10 +8,9 @@
 namespace delabole {
 
 DELABOLE_MEMBERS(Motion, x, y, sine, versine, vx, vy, spin, angle)
-DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, alone,
-                 residual_cohesion)
+DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, alone)
 DELABOLE_MEMBERS(JointLaw, normal_stiffness, shear_stiffness, normal_dashpot, shear_dashpot, friction,
-                 residual_friction, cohesion, tension)
+                 residual_friction, cohesion, residual_cohesion)
 DELABOLE_MEMBERS(ContactBlocks, block, other, twin, ends, joint)
 DELABOLE_MEMBERS(ContactCorner, corner, edge)
 DELABOLE_MEMBERS(ContactShapeOf<double>, arm_x, arm_y, other_arm_x, other_arm_y, along_x, along_y, gap, from_start,

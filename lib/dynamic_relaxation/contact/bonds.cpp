@@ -251,7 +251,7 @@ Bonds::Bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_
       bond_(make_bonds(scene, bodies, viscous_damping)),
       force_(bond_.size()),
       breaks_(bond_.size(), 0),
-      drawn_open_(closing_shifts(bodies)) {
+      closed_(closing_shifts(bodies)) {
     if (bond_.empty()) {
         return;
     }
@@ -277,14 +277,14 @@ std::vector<BlockPair> Bonds::joined(const std::vector<BondMemory>& memory) cons
 }
 
 void Bonds::resume(const std::vector<BondMemory>& memory) {
-    shifted_ = drawn_open_;
+    shifted_ = closed_;
     for (std::size_t index = 0; index < bond_.size(); ++index) {
         if (memory[index].shift != OutlineShift{}) {
             const BlockPair pair = blocks_of(bond_[index].face);
             const OutlineShift& since = memory[index].shift;
-            const auto drawn = std::ranges::lower_bound(drawn_open_, pair, {}, &ShiftedPair::pair);
-            if (drawn != drawn_open_.end() && drawn->pair == pair) {
-                OutlineShift& shift = shifted_[static_cast<std::size_t>(drawn - drawn_open_.begin())].shift;
+            const auto drawn = std::ranges::lower_bound(closed_, pair, {}, &ShiftedPair::pair);
+            if (drawn != closed_.end() && drawn->pair == pair) {
+                OutlineShift& shift = shifted_[static_cast<std::size_t>(drawn - closed_.begin())].shift;
                 shift = {drawn->shift.x + since.x, drawn->shift.y + since.y, drawn->shift.angle + since.angle};
             } else {
                 shifted_.push_back({pair, since});
@@ -387,7 +387,8 @@ std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion,
         }
         const BondLoading loading =
             loading_of(bond, locate(bond.face, motion[bond.face.block], motion[bond.face.other]));
-        if (bond.of_joint && bond.tension == 0 && loading.worst() > 1) {
+        const bool may_hand_over = bond.of_joint && (bond.tension == 0 || loading.shear > loading.tension);
+        if (may_hand_over && loading.worst() > 1) {
             memory[index].state = BondState::handed_over;
             changed.push_back(index);
         } else if (loading.worst() > most) {
@@ -411,7 +412,7 @@ std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion,
 double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
                  ContactList& list) {
     const SharedFace& face = bond.face;
-    const bool keeps_cohesion = state == BondState::handed_over;
+    const bool keeps_cohesion = bond.of_joint && state != BondState::broken_in_shear;
     struct Taker {
         std::size_t contact;
         double pressing;  // N/m, without its weight

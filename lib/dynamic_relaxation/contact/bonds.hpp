@@ -21,15 +21,16 @@
 // times its energy. The rest of the bond's energy is set free.
 //
 // A joint with tensile strength, or with cohesion that is lost by slip, has a bond of its own where no rock bridges it.
-// The bond is as stiff as the two contacts that it replaces, so that the time step is set by them. Two corner contacts
-// with tensile strength would carry three times the moment of a section, and cohesion would be lost at the corner in
-// less compression before that of the other is used up. Strength of the face, with N the force and M the moment on it:
+// The bond is as stiff as the two contacts that it replaces, so that the time step is set by them. Contacts have no
+// tensile strength: at two corners it would carry three times the moment of a section. And cohesion would be lost at
+// the corner in less compression before that of the other is used up. Strength of the face, with N the force and M the
+// moment on it:
 //   shear   cohesion L + N tan(friction), the joint's peak: limit equilibrium
 //   moment  (N + t L) L / 6, the elastic section with a tensile strength t; or N L / 2, if that is more: as long as
 //           both ends would be pressed without it, the joint stays closed.
-// Without tensile strength such a bond does not break where an end lifts off: the contacts that replace it still have
-// their cohesion, half of it each, until they slip or open. They also replace a bond that is overloaded in shear while
-// static equilibrium is sought: without inertia, load passes from joint to joint before they break.
+// Where an end lifts off, tensile strength is lost, but cohesion is not: the contacts that replace the bond have half
+// of it each, until they slip or open. They also replace a bond that is overloaded in shear while static equilibrium is
+// sought: without inertia, load passes from joint to joint before they break.
 //
 // While a pair of blocks has a whole bond, it has no contacts. Reference: Kawai, T. (1978) New discrete models and
 // their application to seismic response analysis of structures. Nucl. Eng. Des. 48, 207-229.
@@ -68,7 +69,8 @@ struct Bond : FaceStiffness {
     double contact_stiffness;  // N/m, normal, of each of the two
 };
 
-// `handed_over` occurs for bonds of joints only: the contacts replace the bond and keep their full strength.
+// `handed_over` occurs for bonds of joints only: the contacts replace the bond, which has not reached its tensile
+// strength, or has none, and keep its cohesion.
 enum class BondState { whole, broken_in_tension, broken_in_shear, block_removed, handed_over };
 
 constexpr bool is_broken(BondState state) {
@@ -108,7 +110,7 @@ struct BondLoading {
 BondLoading loading_of(const Bond& bond, const FacePosition& at);
 
 // The bonds of a scene with their current forces, and the outlines on which contacts are based instead of those drawn:
-// where rock shortened before it broke, and where a closed joint was drawn open.
+// where rock shortened before it broke, and where blocks on a closed joint were drawn apart or overlapping.
 class Bonds {
   public:
     Bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping, Team& team);
@@ -120,7 +122,7 @@ class Bonds {
     // Pairs with a whole bond, in increasing order.
     std::vector<BlockPair> joined(const std::vector<BondMemory>& memory) const;
 
-    // Pairs whose joint was drawn open or whose rock had shortened before it broke, in increasing order.
+    // Pairs whose closed joint was not drawn closed or whose rock had shortened before it broke, in increasing order.
     std::span<const ShiftedPair> shifted() const { return shifted_; }
     // Computes again what the memory of a resumed run does not hold.
     void resume(const std::vector<BondMemory>& memory);
@@ -156,7 +158,7 @@ class Bonds {
     std::vector<std::uint32_t> of_block_ = {};
     // Stored because the contact list reads it at every update, while bonds rarely break.
     std::vector<ShiftedPair> shifted_ = {};
-    std::vector<ShiftedPair> drawn_open_;
+    std::vector<ShiftedPair> closed_;
 };
 
 // Contacts along the bond's face that have replaced the bond take over what it carried, as far as they can. `state` is

@@ -1,7 +1,7 @@
 // The force between a corner and an edge.
 //
-//   normal   spring in compression, w k_n overlap; with tensile strength it also acts in tension until that is reached
-//            (Fig 5.4(a))
+//   normal   spring in compression, w k_n overlap (Fig 5.4(a)); the tensile strength of a joint is that of its bonds
+//            (bonds.hpp)
 //   shear    spring over the displacement since first touch, w k_s shear, at most w (normal spring) tan(friction) +
 //            cohesion (Fig 5.4(b)); with a peak, the residual angle and cohesion once it has slipped or opened
 //            (Fig 5.4(c))
@@ -174,17 +174,15 @@ DELABOLE_INLINED ContactVelocity<Number> velocity_of(const ContactPositionOf<Num
 // Force of a corner that bears: it slips as far as its strength requires, and its dashpots act. The shear spring has
 // already followed the corner. `damping`: energy dissipated so far, including the drags of the last step up to now.
 template <class Number>
-DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, const Number& residual_cohesion,
-                                              const ContactPositionOf<Number>& at,
+DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, const ContactPositionOf<Number>& at,
                                               const ContactVelocity<Number>& velocity, const Number& weight,
                                               const Number& force_before, const Number& damping,
                                               const double& half_step, ContactMemoryOf<Number>& memory) {
     memory.place = at.slide;
     const Number overlap = -at.gap;
-    const Number normal = law.normal_stiffness * overlap;
-    const Number pressing = greater(normal, Number{});
-    const Number residual = pressing * law.residual_friction + residual_cohesion;
-    const Number strength = shear_strength<Number>(law, residual_cohesion, pressing, memory.broken);
+    const Number pressing = law.normal_stiffness * overlap;
+    const Number residual = pressing * law.residual_friction + law.residual_cohesion;
+    const Number strength = shear_strength<Number>(law, pressing, memory.broken);
     const Number held_by_spring = -law.shear_stiffness * memory.shear;
     memory.sliding = slips(held_by_spring, strength);
     const Number held_with_dashpot = law.shear_dashpot * velocity.shearing;
@@ -203,8 +201,8 @@ DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, con
         shear_drag = select(memory.sliding, Number{}, shear_drag);
         memory.broken = memory.broken | memory.sliding;
     }
-    const Number damped = greater(normal - law.normal_dashpot * velocity.opening, lesser(normal, Number{}));
-    memory.normal_drag = weight * (damped - normal);
+    const Number damped = greater(pressing - law.normal_dashpot * velocity.opening, Number{});
+    memory.normal_drag = weight * (damped - pressing);
     memory.shear_drag = shear_drag;
     memory.damping = damping - half_step * (memory.normal_drag * velocity.opening + shear_drag * velocity.shearing);
     ForceOnCornerOf<Number> force;
@@ -277,7 +275,7 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     const ContactVelocity<double> velocity = velocity_of<double>(at, block, other);
     const double damping = damping_until_now<double>(memory, velocity, step / 2);
     const double weight = contact_weight(law, contact, at, memory.insists);
-    if (!holds_of_one(bearing_of(1, apart, law.tension > 0 && !memory.broken, weight == 0))) {
+    if (!holds_of_one(bearing_of(1, apart, weight == 0))) {
         let_go(law, weight, damping, !apart && law.rival == 0, memory);
         return {};
     }
@@ -292,14 +290,7 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     } else {
         memory.shear += at.slide - memory.place;
     }
-    const double normal = law.normal_stiffness * overlap;
-    if (normal < -law.tension) {
-        memory.place = at.slide;
-        memory.friction += weight * normal * overlap / 2;
-        let_go(law, weight, damping, false, memory);
-        return {};
-    }
-    return bear<double>(law, law.residual_cohesion, at, velocity, weight, force_before, damping, step / 2, memory);
+    return bear<double>(law, at, velocity, weight, force_before, damping, step / 2, memory);
 }
 
 // Energy of both springs, J/m.

@@ -34,8 +34,7 @@ class ContactLaws {
   private:
     struct Hash {
         std::size_t operator()(const EdgeEnds& ends) const {
-            return of(
-                {ends.start_weight, ends.end_weight, ends.inverse_blend, ends.rival_sine, ends.residual_cohesion});
+            return of({ends.start_weight, ends.end_weight, ends.inverse_blend, ends.rival_sine});
         }
         std::size_t operator()(const JointLaw& joint) const {
             return of({joint.normal_stiffness, joint.normal_dashpot, joint.friction, joint.cohesion});

@@ -36,7 +36,7 @@ DELABOLE_INLINED MotionOf<Lanes> gather_motion(const Rows<Lanes>& rows) {
 template <IsLanes Lanes>
 DELABOLE_INLINED EdgeEndsOf<Lanes> gather_ends(const Rows<Lanes>& rows) {
     const std::array<Lanes, 8> of = gather_eight<Lanes>(rows);
-    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
+    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6]};
 }
 
 // In most groups all contacts have the same law.
@@ -51,9 +51,9 @@ DELABOLE_INLINED JointLawOf<Lanes> gather_joint(const ContactSweep& sweep, const
         const auto all = [](double number) __attribute__((always_inline)) {
             return Lanes{} + number;
         };
-        return {all(joint.normal_stiffness), all(joint.shear_stiffness), all(joint.normal_dashpot),
-                all(joint.shear_dashpot),    all(joint.friction),        all(joint.residual_friction),
-                all(joint.cohesion),         all(joint.tension)};
+        return {all(joint.normal_stiffness), all(joint.shear_stiffness),  all(joint.normal_dashpot),
+                all(joint.shear_dashpot),    all(joint.friction),         all(joint.residual_friction),
+                all(joint.cohesion),         all(joint.residual_cohesion)};
     }
     Rows<Lanes> rows;
     for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
@@ -268,11 +268,8 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     }
     const JointLawOf<Lanes> joint = gather_joint<Lanes>(sweep, part.contact);
     const unsigned broken = part.of(part.flags.broken);
-    const unsigned pulls = (over & apart) == 0 ? 0 : ~broken & bits(joint.tension > 0.0);
-    const unsigned bear_or_pull = bearing_of(over, apart, pulls, bits(weight == 0.0));
-    const unsigned bearing = bear_or_pull & ~apart;
-    const unsigned opening = over & ~bear_or_pull;
-    one_by_one |= bear_or_pull & apart;
+    const unsigned bearing = bearing_of(over, apart, bits(weight == 0.0));
+    const unsigned opening = over & ~bearing;
     const ContactVelocity<Lanes> velocity = velocity_of<Lanes>(at, block, other);
     ContactNumbersOf<NumberGroup>& kept = part.numbers;
     const ContactMemoryOf<Lanes> before{
@@ -288,7 +285,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
         memory.shear = select(mask_of<Lanes>(begin), Lanes{}, memory.shear);
     }
     const ForceOnCornerOf<Lanes> force =
-        bear<Lanes>(joint, ends.residual_cohesion, at, velocity, weight, force_before, damping, half_step, memory);
+        bear<Lanes>(joint, at, velocity, weight, force_before, damping, half_step, memory);
     const auto which = mask_of<Lanes>(bearing);
     const auto keep = [&](const Lanes& now, const Lanes& then, NumberGroup& group) __attribute__((always_inline)) {
         part.keep(select(which, now, then), group);

@@ -24,10 +24,10 @@ DELABOLE_INLINED unsigned over_edge(const ContactSituation& now) {
     return now.touching | (~now.apart & may_begin);
 }
 
-// Returns which of these contacts bear; the others open. `pulls`: contacts with tensile strength left. `weightless`:
-// contacts past the end of the edge, or deeper than on the edge's rival.
-DELABOLE_INLINED unsigned bearing_of(unsigned over_edge, unsigned apart, unsigned pulls, unsigned weightless) {
-    return over_edge & (~apart | pulls) & ~weightless;
+// Returns which of these contacts bear; the others open. `weightless`: contacts past the end of the edge, or deeper
+// than on the edge's rival.
+DELABOLE_INLINED unsigned bearing_of(unsigned over_edge, unsigned apart, unsigned weightless) {
+    return over_edge & ~apart & ~weightless;
 }
 
 // Whether the bit of a single contact is set.
@@ -37,13 +37,10 @@ DELABOLE_INLINED bool holds_of_one(unsigned bits) {
 
 // Shear strength by friction and cohesion along an edge under the compression `pressing`, both N/m.
 template <class Number>
-DELABOLE_INLINED Number shear_strength(const JointLawOf<Number>& law, const Number& residual_cohesion,
-                                       const Number& pressing, const MaskOf<Number>& broken) {
-    return select(broken, pressing * law.residual_friction + residual_cohesion, pressing * law.friction + law.cohesion);
-}
-
-inline double shear_strength(const ContactLaw& law, double pressing, bool broken) {
-    return shear_strength<double>(law, law.residual_cohesion, pressing, broken);
+DELABOLE_INLINED Number shear_strength(const JointLawOf<Number>& law, const Number& pressing,
+                                       const MaskOf<Number>& broken) {
+    return select(broken, pressing * law.residual_friction + law.residual_cohesion,
+                  pressing * law.friction + law.cohesion);
 }
 
 // Whether a contact slips that would need the shear force `held`, N/m, to stick.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace delabole {
 
@@ -13,10 +14,11 @@ OutlineShift outline_shift(const SharedFace& face, const std::array<double, 2>& 
     const double angle = (displaced[0] - displaced[1]) / face.length;
     const PlanePoint<> out = (displaced[0] + displaced[1]) / 2 * PlanePoint<>(face.along.y(), -face.along.x());
     const bool is_lower = face.block < face.other;
-    const PlanePoint<>& arm = is_lower ? face.arm : face.other_arm;
-    const PlanePoint<> of_centroid = out - angle * PlanePoint<>(-arm.y(), arm.x());
     const double sense = is_lower ? 1 : -1;
-    return {sense * of_centroid.x(), sense * of_centroid.y(), sense * angle};
+    Motion turn;
+    turn.set_angle(sense * angle);
+    const PlanePoint<> of_centroid = sense * out - turn.turned_by(is_lower ? face.arm : face.other_arm);
+    return {of_centroid.x(), of_centroid.y(), turn.angle};
 }
 
 std::vector<ShiftedPair> closing_shifts(const Bodies& bodies) {
@@ -31,10 +33,7 @@ std::vector<ShiftedPair> closing_shifts(const Bodies& bodies) {
             *std::max_element(begin, end, [](const auto& one, const auto& other) { return one.length < other.length; });
         const std::array<double, 2> opening = opening_in_drawing(bodies, longest);
         const double little = rounding * std::min(bodies.shortest_edge[pair.first], bodies.shortest_edge[pair.second]);
-        OutlineShift shift = outline_shift(longest, {-std::max(opening[0], 0.0), -std::max(opening[1], 0.0)});
-        // The outline turns about its centroid, where the face keeps its place to second order in the turn.
-        shift.x += shift.angle * shift.angle / 2 * longest.arm.x();
-        shift.y += shift.angle * shift.angle / 2 * longest.arm.y();
+        const OutlineShift shift = outline_shift(longest, {-opening[0], -opening[1]});
         Motion as_motion;
         as_motion.set_angle(shift.angle);
         const auto stays_as_drawn = [&](const SharedFace& face) {
@@ -49,7 +48,7 @@ std::vector<ShiftedPair> closing_shifts(const Bodies& bodies) {
             };
             return stays(0) && stays(1);
         };
-        if (std::ranges::max(opening) > little && std::all_of(begin, end, stays_as_drawn)) {
+        if (std::max(std::abs(opening[0]), std::abs(opening[1])) > little && std::all_of(begin, end, stays_as_drawn)) {
             shifts.push_back({pair, shift});
         }
         begin = end;

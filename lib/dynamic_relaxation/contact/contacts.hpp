@@ -32,7 +32,7 @@ struct ContactRange {
 };
 
 // How an edge bears as a corner of another block comes over its ends. Many contacts share it, so that a step has less
-// to read: a pack of bricks has only a few. It is read as rows of eight numbers.
+// to read: a pack of bricks has only a few. It is read as rows of eight numbers, of which the last means nothing.
 template <class Number>
 struct alignas(8 * sizeof(double)) EdgeEndsOf {
     Number start_weight;  // weight of the contact where the corner is at the edge's start
@@ -50,7 +50,6 @@ struct alignas(8 * sizeof(double)) EdgeEndsOf {
     // the rival is the edge of the corner's own block on which the edge's end may bear (corner_choice.hpp); otherwise
     // 0.
     Number alone;
-    Number residual_cohesion;  // N/m, over half the shared length; stored here because the row of JointLaw is full
 
     bool operator==(const EdgeEndsOf&) const = default;
 };
@@ -65,7 +64,7 @@ struct alignas(8 * sizeof(double)) JointLawOf {
     Number friction;           // tangent of the peak angle
     Number residual_friction;  // tangent of the residual angle
     Number cohesion;           // N/m, over half the shared length
-    Number tension;            // N/m
+    Number residual_cohesion;  // N/m, likewise
 
     bool operator==(const JointLawOf&) const = default;
 };
@@ -245,8 +244,9 @@ struct ShiftedPair {
 // and ends along the other's edge, in the direction of the edge's outward normal.
 OutlineShift outline_shift(const SharedFace& face, const std::array<double, 2>& displaced);
 
-// Shifts that close the longest face of each pair whose closed joint is open by more than rounding of the calculation,
-// in increasing order of the pairs. Pairs in which that would open another face or make it overlap have none.
+// Shifts that close the longest face of each pair whose closed joint is open or overlaps in the initial geometry by
+// more than rounding of the calculation, in increasing order of the pairs. Pairs in which that would open another face
+// or make it overlap have none.
 std::vector<ShiftedPair> closing_shifts(const Bodies& bodies);
 
 // Raises the reach within which the neighbours of blocks with a shifted outline are found to the opening of a closed

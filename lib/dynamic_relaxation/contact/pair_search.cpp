@@ -389,11 +389,10 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     law.shear_dashpot = 2 * viscous_damping_ * std::sqrt(effective_mass * joint.shear_stiffness);
     law.friction = friction_[weaker];
     law.residual_friction = residual_friction_[weaker];
-    if (joint.cohesion != 0 || joint.tensile_strength != 0) {
+    if (joint.cohesion != 0) {
         const double half_shared = shared(face) / 2;
         law.cohesion = joint.cohesion * half_shared;
         law.residual_cohesion = joint.residual_cohesion * half_shared;
-        law.tension = joint.tensile_strength * half_shared;
     }
     return law;
 }
@@ -446,7 +445,7 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
             memory.beneath = query_.first ? beside(bodies_, contact, shortest_)
                                           : behind_block || (law.rival == 0 && at.gap < -came_over * query_.margin &&
                                                              !came_over_edge(contact, at));
-            memory.touching = !memory.broken && !memory.beneath && (law.tension > 0 || contact.gap < 0);
+            memory.touching = !memory.broken && !memory.beneath && contact.gap < 0;
         }
     }
     for (std::size_t index = 0; index < found.contact.size(); ++index) {

@@ -178,7 +178,7 @@ enum class SceneCheck {
     unknown_edge,
     times_not_increasing,
     motion_of_free_block,
-    overlap_at_start,   // more than 10 times that under the block's own weight: the blocks would fly apart
+    overlap_at_start,   // more than 10 times that under the block's own weight, and not of a closed joint
     load_out_of_range,  // gravity, rates, durations and water pressures are not negative
     setting_out_of_range,
     bond_without_face,     // the two faces do not lie on each other in the initial geometry

@@ -40,9 +40,8 @@ StaticCheck check_statics(const Bodies& bodies, const std::vector<char>& held, s
         const double pressing = -law.normal_stiffness * at.gap;
         const double along = -law.shear_stiffness * memory.shear;
         const double strength = shear_strength(law, std::max(pressing, 0.0), memory.broken);
-        const double tension = memory.broken ? 0 : law.tension;
         const double share = weight * share_of_lighter(contact.block, contact.other);
-        check.beyond_tension = std::max(check.beyond_tension, share * (-pressing - tension));
+        check.beyond_tension = std::max(check.beyond_tension, -share * pressing);
         check.beyond_shear = std::max(check.beyond_shear, share * (std::abs(along) - strength));
         const double x = weight * (at.normal_x * pressing + at.along_x() * along);
         const double y = weight * (at.normal_y * pressing + at.along_y() * along);

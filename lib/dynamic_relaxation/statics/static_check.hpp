@@ -13,7 +13,7 @@ namespace delabole {
 // Shares of the weight of the block, or of the lighter one of two free blocks, except for bonds.
 struct StaticCheck {
     double unbalanced = 0;      // greatest force, with moment over radius, that loads and springs leave on a block
-    double beyond_tension = 0;  // greatest pull of a contact in excess of its tensile strength
+    double beyond_tension = 0;  // greatest pull of a contact
     double beyond_shear = 0;    // greatest shear force of a contact in excess of its friction and cohesion
     double bonds = 0;           // greatest loading of a whole bond, as a share of its strength
 

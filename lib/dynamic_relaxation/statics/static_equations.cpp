@@ -19,9 +19,8 @@ namespace {
 PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at,
                      const Arms& arms, ContactMemory& memory, double hair, bool resists) {
     const double overlap = -at.gap;
-    const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
     const bool idle = !memory.touching && (memory.beneath || memory.yields);
-    const bool open = overlap < -hair && !bonded;
+    const bool open = overlap < -hair;
     // Computed only where something depends on it, because it takes much of the time.
     const double weight =
         memory.insists || !(idle || (open && !resists)) ? contact_weight(law, contact, at, memory.insists) : 0;
@@ -36,7 +35,7 @@ PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, co
                                      .handed_over = 0,
                                      .taken_over = 0});
     // A contact of zero weight stays in touch; it carries no force.
-    memory.touching = holds_of_one(bearing_of(over, apart, bonded, 0));
+    memory.touching = holds_of_one(bearing_of(over, apart, 0));
     memory.sliding = false;
     PairResponse response;
     if (weight != 0 && !idle) {
@@ -65,7 +64,7 @@ PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, co
     } else {
         response.shear_stiffness = weight * law.shear_stiffness;
     }
-    response.normal_force = weight * (bonded ? law.normal_stiffness * overlap : pressing);
+    response.normal_force = weight * pressing;
     response.shear_force = weight * shear;
     return response;
 }

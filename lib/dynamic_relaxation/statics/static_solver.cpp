@@ -3,7 +3,6 @@
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 #include "dynamic_relaxation/statics/local_balance.hpp"
-#include "dynamic_relaxation/statics/static_equations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +37,7 @@ class StaticSolver {
         std::vector<Motion> start = motion;
         StaticSolution found = approach(start, motion, list);
         constexpr std::size_t few_enough = 400;  // larger assemblies settle in the run at less cost
-        if (found.ratio > settings_.tolerance && !settings_.leave_crept && !bonds_.empty() &&
+        if (found.ratio > settings_.tolerance && !may_leave_crept() && !bonds_.empty() &&
             equations_.free_blocks().size() < few_enough) {
             approach_in_steps(start, memory, found, motion, list);
         }
@@ -128,29 +127,32 @@ class StaticSolver {
             return approach_in_motion(start, motion, list);
         }
         // Rounds in which blocks may creep, or the large steps of the first rounds, can miss a balance near by.
-        std::optional<StaticSolution> balanced;
-        if (settings_.leave_crept && creeping_ == nullptr) {
+        std::optional<StaticSolution> nearest;
+        if (settings_.nearest && creeping_ == nullptr) {
+            constexpr double well_within = 0.1;  // of the limits of creep
             const std::vector<Motion> motion_before = motion;
             const MemoryArray memory_before = list.memory;
-            settings_.leave_crept = false;
+            const Creep creep = std::exchange(settings_.creep, Creep::none);
+            double least = std::numeric_limits<double>::infinity();
             for (const double resistance : {1.0, 30.0, 1e3}) {
                 StaticSolution found = approach_in_rounds(start, resistance, motion, list);
-                const bool near = share_of_creep(start, motion) < 1;
-                if (found.ratio <= settings_.tolerance && (near || !balanced)) {
-                    balanced = std::move(found);
-                    if (near) {
-                        break;
-                    }
+                const double share = share_of_creep(start, motion);
+                if (found.ratio <= settings_.tolerance && share < least) {
+                    nearest = std::move(found);
+                    least = share;
                 }
                 motion = motion_before;
                 list.memory = memory_before;
+                if (least < well_within) {
+                    break;
+                }
             }
-            settings_.leave_crept = true;
+            settings_.creep = creep;
         }
-        if (balanced) {
-            motion = balanced->most_balanced;
-            list.memory = balanced->memory;
-            return std::move(*balanced);
+        if (nearest) {
+            motion = nearest->most_balanced;
+            list.memory = nearest->memory;
+            return std::move(*nearest);
         }
         return approach_in_rounds(start, 1, motion, list);
     }
@@ -166,14 +168,12 @@ class StaticSolver {
         constexpr double much_worse = 1.5;
         constexpr double far_worse = 4;
         constexpr double half_way = 0.5;
+        const int most_rounds = may_leave_crept() ? 2000 : 300;
         double ratio = evaluate(motion, list);
         StaticSolution best{ratio, false, false, motion, list.memory, 0};
         bool improves = true;
-        for (int round = 0;; ++round) {
+        for (int round = 0; round < most_rounds; ++round) {
             if (best.ratio <= settings_.finest || (best.ratio <= settings_.tolerance && !improves)) {
-                break;
-            }
-            if (round == most_rounds()) {
                 break;
             }
             const std::optional<Eigen::VectorXd> change = equations_.change({resistance, 0}, equations_.unbalanced());
@@ -187,7 +187,7 @@ class StaticSolver {
             equations_.move(*change, motion);
             const double gone = share_of_limits(start, best, motion);
             if (gone >= 1 && come > half_way) {
-                if (!settings_.leave_crept || best.ratio <= settings_.tolerance) {
+                if (!may_leave_crept() || best.ratio <= settings_.tolerance) {
                     break;
                 }
                 best.at_farthest = share_of_farthest(start, motion) >= gone;
@@ -197,7 +197,7 @@ class StaticSolver {
                 return best;
             }
             ratio = gone < 1 ? evaluate(motion, list) : std::numeric_limits<double>::infinity();
-            if (settings_.leave_crept && gone < 1 && ratio > settings_.tolerance) {
+            if (may_leave_crept() && gone < 1 && ratio > settings_.tolerance) {
                 ratio = settle(resistance, motion, list);
             }
             if (!(ratio < far_worse * ratio_before)) {
@@ -220,8 +220,6 @@ class StaticSolver {
         list.memory = best.memory;
         return best;
     }
-
-    int most_rounds() const { return settings_.leave_crept ? 2000 : 300; }
 
     double evaluate(const std::vector<Motion>& motion, ContactList& list) {
         equations_.evaluate(motion, list.memory, list);
@@ -349,7 +347,7 @@ class StaticSolver {
             const double gone = share_of_limits(start, best, motion);
             if (gone >= 1 && come > half_way) {
                 best.at_farthest = creeps() && share_of_farthest(start, motion) >= gone;
-                if (best.ratio <= settings_.tolerance || !(settings_.leave_crept || best.at_farthest)) {
+                if (best.ratio <= settings_.tolerance || !(may_leave_crept() || best.at_farthest)) {
                     break;
                 }
                 equations_.move(-share_beyond(come, gone) * step.moved, motion);
@@ -431,8 +429,10 @@ class StaticSolver {
         return goes_on;
     }
 
+    bool may_leave_crept() const { return settings_.creep == Creep::left; }
+
     // Creep of few blocks is not worth its cost unless they are left where they crept to: they jam sooner in the run.
-    bool creeps() const { return settings_.creep_rotation > 0 && (settings_.leave_crept || !is_small_); }
+    bool creeps() const { return may_leave_crept() || (settings_.creep == Creep::put_back && !is_small_); }
 
     // Share of a change to take back if it led from within the limits to beyond them, so that the run only has to show
     // that blocks move on.

@@ -14,16 +14,19 @@
 
 namespace delabole {
 
+// Motion without inertia from the most balanced state met, where no equilibrium is found. Blocks that have crept are
+// put back to that state, or left where they are when the first of them reaches the limit.
+enum class Creep { none, put_back, left };
+
 struct StaticSolveSettings {
     double tolerance;  // greatest unbalanced force over the load of its block
     double finest;     // same ratio to which an equilibrium is improved as long as that takes few rounds
     double farthest;   // m; moves no point of any block by more than this
-    // Limits of creep from the most balanced state met, without inertia. 0: no creep.
-    double creep_rotation;  // rad
-    double creep_slide;     // in radii
-    // If no equilibrium is found, blocks are left where they have crept to when the first of them reaches the limit,
-    // not in the most balanced state met.
-    bool leave_crept;
+    Creep creep;
+    double creep_rotation;  // rad, limit
+    double creep_slide;     // in radii, limit
+    // Of several equilibria of few blocks the one nearest to where they begin is sought.
+    bool nearest;
     // Whether blocks may stand on corners on corners, which have to hold them with either edge then
     // (corner_choice.hpp).
     bool corners_bear;
@@ -48,17 +51,18 @@ struct StaticSolution {
 //
 // Method: implicit integration of a motion without mass, resisted by a pseudo-viscosity that decreases as balance
 // improves: it converges to stable equilibria only. Each solution uses Newton's tangents of the contacts (friction
-// makes them unsymmetric). Fewer than 24 free blocks move by one linear solution at a time, 300 at most; where
-// they may be left crept up to three times as many, until a balance is near where they began, and 2000 more if there is
-// none. With more blocks, so many contacts would begin
-// or end to slide or to touch in one solution that balance would not improve. There, each step is solved until
-// pseudo-viscosity balances the unbalanced forces, from the memories that contacts had before it. Not only the blocks
-// resist but also their contacts, including open ones, which keeps them from fluttering; there are 2000 linear
-// solutions at most. Near the limit of stability, what is left of a slow motion that dies out is made at once (Aitken's
-// extrapolation), and so are many steps of a steady creep. Where the force of a contact jumps even in a very short
-// step, the jump is accepted, up to 20 times, and balanced by the steps after it, unless there are bonds, which it
-// might break. If bonded blocks, fewer than 400 and not left to creep, find no balance, the solver tries again with
-// loads that grow in eight steps.
+// makes them unsymmetric). Fewer than 24 free blocks move by one linear solution at a time, 300 at most. For the
+// nearest balance this is tried with a first resistance of 1, 30 and 1000 times the joints' stiffness, until a balance
+// lies well within the limits of creep; if none of them finds any, up to 2000 solutions with creep follow.
+//
+// With more blocks, so many contacts would begin or end to slide or to touch in one solution that balance would not
+// improve. There, each step is solved until pseudo-viscosity balances the unbalanced forces, from the memories that
+// contacts had before it. Not only the blocks resist but also their contacts, including open ones, which keeps them
+// from fluttering; there are 2000 linear solutions at most. Near the limit of stability, what is left of a slow motion
+// that dies out is made at once (Aitken's extrapolation), and so are many steps of a steady creep. Where the force of a
+// contact jumps even in a very short step, the jump is accepted, up to 20 times, and balanced by the steps after it,
+// unless there are bonds, which it might break. If bonded blocks, fewer than 400 and not left to creep, find no
+// balance, the solver tries again with loads that grow in eight steps.
 StaticSolution solve_statically(const Bodies& bodies, const std::vector<char>& held,
                                 const std::vector<Eigen::Vector3d>& loads, const StaticSolveSettings& settings,
                                 const StaticSolution* creeping, const Bonds& bonds,

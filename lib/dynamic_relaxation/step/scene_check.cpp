@@ -370,16 +370,18 @@ SceneFault check_start(const RelaxationScene& scene) {
     };
     const std::vector<BlockPair> pairs =
         neighbouring_blocks(bodies, unmoved, none_removed, std::vector<double>(bodies.size(), margin / 2));
+    const std::vector<ShiftedPair> shifted = closing_shifts(bodies);
     // Pairs are checked one at a time: a list of all contacts would take most of the memory and of the time of a check.
     PairSearch search(scene, bodies, 0);
     const ContactList none;
     PairContacts found;
     for (const BlockPair& pair : pairs) {
         const auto [first, second] = pair;
+        const OutlineShift shift = shift_of(pair, shifted);
         // Half the margin is safe from rounding: the search computes the same distance by other sums.
         const InitialDistance initial = initial_distance(bodies, first, second, margin / 2);
         if (initial.may_overlap) {
-            search.find(pair, unmoved, {margin, true}, none, {0, 0}, {}, found);
+            search.find(pair, unmoved, {margin, true, shift}, none, {0, 0}, {}, found);
         } else {
             found.clear();
         }
@@ -395,7 +397,8 @@ SceneFault check_start(const RelaxationScene& scene) {
         }
         // Blocks that cross or overlap deeply have no contacts.
         const double stiffness = std::min(softest_joint(scene, bodies, first), softest_joint(scene, bodies, second));
-        if (-initial.distance > allowed(first, second, stiffness)) {
+        const double as_shifted = shift == OutlineShift{} ? 0 : opening_of_closed_joint(bodies, first, second);
+        if (-initial.distance > allowed(first, second, stiffness) + as_shifted) {
             return {SceneCheck::overlap_at_start, first, second};
         }
     }

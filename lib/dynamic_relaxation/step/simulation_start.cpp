@@ -81,12 +81,13 @@ StaticSolveSettings Simulation::static_solve_settings() const {
     if (last_scheduled_time(scene_, settings_) <= state_.time) {
         // Creep without a balance shows nothing but onset: it may stop earlier if the blocks are put back after it.
         constexpr double jammed_by_then = 0.01;
-        limits.leave_crept = settings_.creep;
+        limits.creep = settings_.creep ? Creep::left : Creep::put_back;
+        limits.nearest = settings_.creep;
         limits.creep_rotation =
             settings_.creep ? settings_.onset_rotation : std::min(settings_.onset_rotation, jammed_by_then);
         limits.creep_slide = settings_.creep ? settings_.onset_slide : std::min(settings_.onset_slide, jammed_by_then);
     }
-    if (limits.leave_crept) {
+    if (limits.creep == Creep::left) {
         double largest = 0;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
             largest = held_[block] != 0 ? largest : std::max(largest, bodies_.radius[block]);
@@ -137,8 +138,7 @@ bool Simulation::start_in_equilibrium(JointsAtStart joints, BoltsAtStart bolts) 
     if (settings_.start == RelaxationStart::stepped && bolts == BoltsAtStart::pulling) {
         constexpr int steps = 10;
         StaticSolveSettings on_the_way = limits;
-        on_the_way.creep_rotation = 0;
-        on_the_way.leave_crept = false;
+        on_the_way.creep = Creep::none;
         // What is not balanced under a part of the loads is left to the step with all of them.
         bool balanced = true;
         for (int step = 1; step < steps && balanced; ++step, first = false) {
@@ -167,7 +167,7 @@ bool Simulation::solve_under(double load_share, bool first, std::span<const Held
         state_.start_balance = StartBalance{found.ratio, found.cut_short};
         state_.contacts_evaluated += found.contacts_evaluated;
         if (found.ratio > limits.tolerance) {
-            if (!limits.leave_crept && found.memory.size() == state_.contacts.contact.size()) {
+            if (limits.creep != Creep::left && found.memory.size() == state_.contacts.contact.size()) {
                 contacts_at_best = state_.contacts;
                 contacts_at_best.memory = found.memory;
             }
@@ -175,7 +175,7 @@ bool Simulation::solve_under(double load_share, bool first, std::span<const Held
                 creeping = std::move(found);
                 continue;
             }
-            if (!limits.leave_crept && creeping) {
+            if (limits.creep != Creep::left && creeping) {
                 state_.motion = found.most_balanced;
                 state_.contacts = std::move(contacts_at_best);
             }

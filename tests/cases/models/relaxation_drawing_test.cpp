@@ -70,10 +70,12 @@ TEST(RelaxationDrawing, RoundedCoordinatesCostNoCohesion) {
     const double whole = (20e3 * 4 + weight * std::cos(degrees(30)) * std::tan(degrees(20))) / (weight / 2);
     // Half of the bracket, and the settlement of the springs.
     constexpr double resolution = 0.003;
-    // A step under the middle, a slope of the upper support, a valley, a ridge.
-    for (const Drawn& drawn :
-         {Drawn{}, Drawn{"0", "-1e-6", "-1e-6"}, Drawn{"0", "-1e-5", "-1e-5"}, Drawn{"0", "-3e-4", "-3e-4"},
-          Drawn{"0", "-3e-4", "0"}, Drawn{"0", "0", "-3e-6"}, Drawn{"-3e-4", "-3e-4", "0"}}) {
+    // A step under the middle, a slope of the upper support, a valley, a ridge; the same with supports that overlap the
+    // slab.
+    for (const Drawn& drawn : {Drawn{}, Drawn{"0", "-1e-6", "-1e-6"}, Drawn{"0", "-1e-5", "-1e-5"},
+                               Drawn{"0", "-3e-4", "-3e-4"}, Drawn{"0", "-3e-4", "0"}, Drawn{"0", "0", "-3e-6"},
+                               Drawn{"-3e-4", "-3e-4", "0"}, Drawn{"0", "1e-6", "1e-6"}, Drawn{"0", "3e-4", "3e-4"},
+                               Drawn{"0", "3e-4", "0"}, Drawn{"3e-4", "3e-4", "0"}, Drawn{"-3e-4", "3e-4", "0"}}) {
         const Analysis found = analysis_of_slab(drawn);
         EXPECT_NEAR(factor_of_slab(found), whole, resolution) << drawn.left << ' ' << drawn.right << ' ' << drawn.step;
         EXPECT_FALSE(warns_of_open_joints(found));
@@ -84,6 +86,9 @@ TEST(RelaxationDrawing, OpenJointsAreSaidToHaveNoCohesion) {
     const Analysis open = analysis_of_slab({"0", "-3e-3", "-3e-3"});
     EXPECT_NEAR(factor_of_slab(open), 1.386, 0.003) << "cohesion along half of the slab";
     EXPECT_TRUE(warns_of_open_joints(open));
+    // Wedges that narrow to nothing where the supports meet.
+    EXPECT_TRUE(warns_of_open_joints(analysis_of_slab({"0", "-5e-3", "0"})));
+    EXPECT_TRUE(warns_of_open_joints(analysis_of_slab({"-5e-3", "0", "0"})));
 }
 
 // Between walls lie two blocks and, in a corner, three small ones, the least of 0.02 m; coordinates are rounded to a

@@ -91,6 +91,17 @@ inline OnPlane flat(double friction, double tilt = 0) {
     return plane;
 }
 
+// Root of an increasing function between 0 and 89 deg.
+inline double root(const std::function<double(double)>& function) {
+    double low = 0;
+    double high = degrees(89);
+    for (int round = 0; round < 60; ++round) {
+        const double middle = (low + high) / 2;
+        (function(middle) < 0 ? low : high) = middle;
+    }
+    return low;
+}
+
 // Stands at 0.99 times the load or tilt of limit equilibrium, fails at 1.01.
 inline void expect_threshold(const std::function<RelaxationScene(double)>& scene_at, const std::string& what,
                              const RelaxationSettings& settings = until_onset()) {

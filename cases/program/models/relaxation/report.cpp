@@ -166,13 +166,17 @@ void append_warning_of_open_joints(const RelaxationScene& scene, Analysis& analy
     std::pair<std::size_t, std::size_t> blocks;
     for (const SharedFace& face : find_shared_faces(bodies, narrow)) {
         const JointMaterial& joint = scene.material[weaker_joint(scene, bodies, face.edge, face.other_edge)];
-        const double opening = std::ranges::max(opening_in_drawing(bodies, face));
+        const auto [at_start, at_end] = opening_in_drawing(bodies, face);
+        const double opening = std::max(at_start, at_end);
         if ((joint.cohesion == 0 && joint.tensile_strength == 0) ||
             !(opening > opening_of_closed_joint(bodies, face.block, face.other))) {
-            continue;  // most joints: for the others, all blocks are asked below
+            continue;
         }
-        const PlanePoint<> between =
-            bodies.centroid[face.other] + face.other_arm + opening / 2 * PlanePoint<>(face.along.y(), -face.along.x());
+        // Amid the joint, between the middle of the face and its wider end.
+        const double along = at_start < at_end ? face.length / 4 : -face.length / 4;
+        const double above = (3 * opening + std::min(at_start, at_end)) / 4 / 2;
+        const PlanePoint<> between = bodies.centroid[face.other] + face.other_arm + along * face.along +
+                                     above * PlanePoint<>(face.along.y(), -face.along.x());
         if (std::ranges::none_of(scene.block, [&](const auto& block) { return inside(block.outline, between); })) {
             ++open;
             blocks = opening > widest ? std::pair<std::size_t, std::size_t>(face.block, face.other) : blocks;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace delabole {
@@ -113,10 +114,11 @@ TEST(Contacts, TakeOverTheShearOfATwinWhereTheyComeAlongTheEdgeAlone) {
     EXPECT_LT(shear_energy_of_new_contact({0, -1e-4}), 1e-6 * of_twin);
 }
 
-// A slab that is drawn above a base by `left` and `right` at its ends; the base is the lower block or the other one.
-RelaxationScene slab_above(double left, double right, bool base_first) {
+// A slab that is drawn above a base by `left` and `right` at its ends, or into it; the base is the lower block or the
+// other one.
+RelaxationScene slab_above(double left, double right, bool base_first, double width = 2) {
     RelaxationScene scene;
-    scene.block.push_back({{{0, left}, {2, right}, {2, 1}, {0, 1}}, density});
+    scene.block.push_back({{{0, left}, {width, right}, {width, width / 2}, {0, width / 2}}, density});
     scene.block.push_back(fixed_block({{-1, -1}, {4, -1}, {4, 0}, {-1, 0}}));
     if (base_first) {
         std::swap(scene.block[0], scene.block[1]);
@@ -125,9 +127,11 @@ RelaxationScene slab_above(double left, double right, bool base_first) {
     return scene;
 }
 
-TEST(Contacts, TouchWhereAClosedJointIsDrawnOpen) {
+TEST(Contacts, TouchWhereAClosedJointIsDrawnOpenOrOverlapping) {
     for (const bool base_first : {false, true}) {
-        for (const auto& [left, right] : {std::pair(3e-4, 3e-4), std::pair(9e-4, 1e-5), std::pair(0.0, 9e-4)}) {
+        for (const auto& [left, right] :
+             {std::pair(3e-4, 3e-4), std::pair(9e-4, 1e-5), std::pair(0.0, 9e-4), std::pair(-3e-4, -3e-4),
+              std::pair(-9e-4, -1e-5), std::pair(0.0, -9e-4), std::pair(-3e-4, 5e-4)}) {
             const Bodies bodies = make_bodies(slab_above(left, right, base_first));
             const std::vector<ShiftedPair> shifts = closing_shifts(bodies);
             ASSERT_EQ(shifts.size(), 1U) << left << ' ' << right;
@@ -136,14 +140,16 @@ TEST(Contacts, TouchWhereAClosedJointIsDrawnOpen) {
                                                    {0, 0}, {1e-6, 0.2, true, {}, shifts}, {});
             ASSERT_EQ(list.contact.size(), 2U);
             for (std::size_t index = 0; index < 2; ++index) {
-                EXPECT_NEAR(list.contact[index].gap, 0, 1e-6 * std::max(left, right));
+                EXPECT_NEAR(list.contact[index].gap, 0, 1e-6 * std::max(std::abs(left), std::abs(right)));
             }
         }
+        // The turn of a long block by so much as a small one is drawn open displaces its ends to third order as well.
+        EXPECT_EQ(closing_shifts(make_bodies(slab_above(0, 9e-6, base_first, 0.02))).size(), 1U);
     }
 }
 
 TEST(Contacts, StayApartWhereAJointIsOpenOrExact) {
-    for (const auto& [left, right] : {std::pair(0.0, 0.0), std::pair(-1e-5, -1e-5), std::pair(2e-3, 2e-3)}) {
+    for (const auto& [left, right] : {std::pair(0.0, 0.0), std::pair(-2e-3, -2e-3), std::pair(2e-3, 2e-3)}) {
         EXPECT_TRUE(closing_shifts(make_bodies(slab_above(left, right, false))).empty()) << left << ' ' << right;
     }
 }

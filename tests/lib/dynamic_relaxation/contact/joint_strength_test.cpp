@@ -18,17 +18,6 @@ namespace {
 
 using namespace relaxation_scenes;
 
-// Root of an increasing function between 0 and 89 deg.
-double root(const std::function<double(double)>& function) {
-    double low = 0;
-    double high = degrees(89);
-    for (int round = 0; round < 60; ++round) {
-        const double middle = (low + high) / 2;
-        (function(middle) < 0 ? low : high) = middle;
-    }
-    return low;
-}
-
 struct Strength {
     double cohesion;  // Pa
     double tension;   // Pa
@@ -116,6 +105,36 @@ TEST(JointStrength, TensionOfLittleUseDoesNotHoldAColumn) {
     plane.friction = degrees(40);
     for (const double tension : {0.0, 1.0, 53e3, 100e3}) {
         expect_limit(plane, {530e3, tension}, std::atan(1 / 4.04), std::to_string(tension));
+    }
+}
+
+// A column of 1 x 4 m leans on a stop without friction and stands on its toe, which has half of the cohesion:
+// c b / 2 + W cos tan(phi) = W sin - H, with H from moments about the toe. With a tensile strength of 1 Pa the whole
+// cohesion was lost where the heel lifts off.
+TEST(JointStrength, OfTheEndThatStaysPressedIsKept) {
+    OnPlane plane;
+    plane.height_to_width = 4;
+    plane.friction = degrees(10);
+    plane.tilt = degrees(30);
+    const double weight = plane.weight();
+    const double stop = weight * (2 * std::sin(plane.tilt) - 0.5 * std::cos(plane.tilt)) / 3.5;
+    const double needed =
+        2 * (weight * (std::sin(plane.tilt) - std::cos(plane.tilt) * std::tan(plane.friction)) - stop);
+    for (const double tension : {0.0, 1.0, 1e3}) {
+        for (const double part : {0.95, 1.05}) {
+            RelaxationScene scene = relaxation_scenes::scene_of(plane);
+            scene.material[0].cohesion = part * needed;
+            scene.material[0].tensile_strength = tension;
+            scene.material.push_back(joint(scene.material[0].normal_stiffness, 0));
+            for (const double left : {-1.0, 1.0}) {
+                scene.block.push_back(fixed_block(rectangle(left, 3, 1, 0.5)));
+                scene.block.back().joint = {1, 1, 1, 1};
+            }
+            scene.bond = find_bonds(scene);
+            EXPECT_EQ(relax(scene, until_onset()).outcome,
+                      part > 1 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset)
+                << "tension " << tension << ", part " << part;
+        }
     }
 }
 

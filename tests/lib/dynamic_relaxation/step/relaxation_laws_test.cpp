@@ -16,17 +16,6 @@ namespace {
 
 using namespace relaxation_scenes;
 
-// Root of an increasing function between 0 and 89 deg.
-double root(const std::function<double(double)>& function) {
-    double low = 0;
-    double high = degrees(89);
-    for (int round = 0; round < 60; ++round) {
-        const double middle = (low + high) / 2;
-        (function(middle) < 0 ? low : high) = middle;
-    }
-    return low;
-}
-
 TEST(Cohesion, HoldsUntilItsLengthIsSpent) {
     for (const double friction : {0.0, 20.0}) {
         for (const double share : {0.1, 0.5}) {  // c b / W
@@ -70,7 +59,7 @@ TEST(Cohesion, IsNotFoundAgainAfterAFall) {
     OnPlane plane = flat(10, degrees(20));
     for (const double height : {0.0, 0.01}) {
         RelaxationScene scene = scene_of(plane);
-        scene.material[0].cohesion = scene.material[0].tensile_strength = 10 * plane.weight() / plane.width;
+        scene.material[0].cohesion = 10 * plane.weight() / plane.width;
         for (PlanePoint<>& vertex : scene.block[0].outline) {
             vertex.y() += height;
         }
@@ -79,43 +68,6 @@ TEST(Cohesion, IsNotFoundAgainAfterAFall) {
         const RelaxationResult result = relax(scene, settings);
         EXPECT_EQ(result.outcome, height > 0 ? RelaxationOutcome::collapse : RelaxationOutcome::equilibrium) << height;
     }
-}
-
-TEST(TensileStrength, CarriesAHangingBlock) {
-    OnPlane plane;
-    for (const double slenderness : {0.1, 1.0, 5.0}) {
-        plane.height_to_width = slenderness;
-        expect_threshold(
-            [&](double part) {
-                RelaxationScene scene;
-                scene.block = {{rectangle(0, -slenderness, 1, slenderness), density},
-                               fixed_block(rectangle(-1, 0, 3, 1))};
-                scene.material = {joint(plane.stiffness(), degrees(30))};
-                scene.material[0].tensile_strength = plane.weight() / plane.width / part;
-                return scene;
-            },
-            "a/b " + std::to_string(slenderness));
-    }
-}
-
-TEST(TensileStrength, HoldsTheHeelOfATiltedBlock) {
-    // The heel pulls: (W sin a/2 - W cos b/2) / b = t b / 2 (the corner stands for half of the base). Nothing presses
-    // on it, so that cohesion bears its shear.
-    OnPlane plane;
-    plane.height_to_width = 3;
-    plane.friction = degrees(60);
-    const double strength = 0.5;  // t b / W
-    const double limit = root([&](double tilt) { return 3 * std::sin(tilt) - std::cos(tilt) - strength; });
-    expect_threshold(
-        [&](double part) {
-            OnPlane tilted = plane;
-            tilted.tilt = part * limit;
-            RelaxationScene scene = scene_of(tilted);
-            scene.material[0].tensile_strength = strength * plane.weight() / plane.width;
-            scene.material[0].cohesion = 10 * scene.material[0].tensile_strength;
-            return scene;
-        },
-        "tilted");
 }
 
 // Of a slender block the toe presses more and the heel slips first. Cohesion that is lost there brings the block down

@@ -220,13 +220,21 @@ TEST(Refusals, OverlapsNameBothBlocks) {
         }
         return scene;
     };
-    EXPECT_EQ(word(fault_of(sunk(9e-6)).check), "valid");
-    for (const double overlap : {11e-6, 1e-3, 0.1, 0.4, 0.5, 0.9}) {
+    for (const double overlap : {9e-6, 11e-6, 9e-4}) {
+        EXPECT_EQ(word(fault_of(sunk(overlap)).check), "valid") << "on a closed joint, " << overlap;
+    }
+    for (const double overlap : {1.1e-3, 0.1, 0.4, 0.5, 0.9}) {
         const SceneFault fault = fault_of(sunk(overlap));
         EXPECT_EQ(word(fault.check), "overlap_at_start") << overlap;
         ASSERT_TRUE(fault.other) << overlap;
         EXPECT_EQ(std::min(fault.index, *fault.other), 0U) << overlap;
         EXPECT_EQ(std::max(fault.index, *fault.other), 1U) << overlap;
+    }
+    // A corner alone, which no face lies on.
+    for (const double overlap : {9e-6, 11e-6}) {
+        RelaxationScene tip = scene_of({});
+        tip.block[0].outline = {{0.5, -overlap}, {1, 0.5}, {0, 0.5}};
+        EXPECT_EQ(word(fault_of(tip).check), overlap < 1e-5 ? "valid" : "overlap_at_start") << overlap;
     }
     // The blocks form a cross: no corner of one is in the other.
     RelaxationScene cross = scene_of({});
