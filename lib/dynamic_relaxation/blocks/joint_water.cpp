@@ -17,16 +17,7 @@ EdgePart part_of(const Bodies& bodies, std::size_t edge, const PlanePoint<>& mid
 }  // namespace
 
 std::vector<FacePressure> pressures_of(const JointWater& water, const Bodies& bodies) {
-    std::vector<SharedFace> faces;
-    const CornerRange& range = bodies.range[water.block];
-    const CornerRange& others = bodies.range[water.other];
-    for (std::size_t edge = range.begin; edge < range.end; ++edge) {
-        for (std::size_t other = others.begin; other < others.end; ++other) {
-            if (const std::optional<SharedFace> face = shared_face(bodies, edge, other)) {
-                faces.push_back(*face);
-            }
-        }
-    }
+    const std::vector<SharedFace> faces = faces_between(bodies, water.block, water.other);
     if (faces.empty()) {
         return {};
     }
@@ -47,9 +38,9 @@ std::vector<FacePressure> pressures_of(const JointWater& water, const Bodies& bo
         const double middle = along.dot(face.arm);
         const double first = at(middle - face.length / 2);
         const double second = at(middle + face.length / 2);
-        pressures.push_back(
-            {water.block, face.edge - range.begin, first, second, part_of(bodies, face.edge, face.arm, face.length)});
-        pressures.push_back({water.other, face.other_edge - others.begin, second, first,
+        pressures.push_back({water.block, face.edge - bodies.range[water.block].begin, first, second,
+                             part_of(bodies, face.edge, face.arm, face.length)});
+        pressures.push_back({water.other, face.other_edge - bodies.range[water.other].begin, second, first,
                              part_of(bodies, face.other_edge, face.other_arm, face.length)});
     }
     return pressures;

@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace delabole {
 
@@ -41,6 +42,18 @@ std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, st
                       end - begin};
 }
 
+std::vector<SharedFace> faces_between(const Bodies& bodies, std::size_t block, std::size_t other, double opening) {
+    std::vector<SharedFace> faces;
+    for (std::size_t edge = bodies.range[block].begin; edge < bodies.range[block].end; ++edge) {
+        for (std::size_t other_edge = bodies.range[other].begin; other_edge < bodies.range[other].end; ++other_edge) {
+            if (const std::optional<SharedFace> face = shared_face(bodies, edge, other_edge, opening)) {
+                faces.push_back(*face);
+            }
+        }
+    }
+    return faces;
+}
+
 std::array<double, 2> opening_in_drawing(const Bodies& bodies, const SharedFace& face) {
     const PlanePoint<> between = bodies.centroid[face.block] - bodies.centroid[face.other];
     const PlanePoint<> normal = bodies.normal(face.other_edge);
@@ -68,13 +81,7 @@ std::vector<BlockPair> touching_blocks(const Bodies& bodies, double opening) {
 std::vector<SharedFace> find_shared_faces(const Bodies& bodies, double opening) {
     std::vector<SharedFace> faces;
     for (const auto& [first, second] : touching_blocks(bodies, opening)) {
-        for (std::size_t edge = bodies.range[first].begin; edge < bodies.range[first].end; ++edge) {
-            for (std::size_t other = bodies.range[second].begin; other < bodies.range[second].end; ++other) {
-                if (const std::optional<SharedFace> face = shared_face(bodies, edge, other, opening)) {
-                    faces.push_back(*face);
-                }
-            }
-        }
+        std::ranges::copy(faces_between(bodies, first, second, opening), std::back_inserter(faces));
     }
     return faces;
 }

@@ -38,6 +38,10 @@ inline double opening_of_closed_joint(const Bodies& bodies, std::size_t block, s
 std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge,
                                       double opening = closed_joint);
 
+// The faces that two blocks share, in the order of the edges of the one and, for each, of the other.
+std::vector<SharedFace> faces_between(const Bodies& bodies, std::size_t block, std::size_t other,
+                                      double opening = closed_joint);
+
 // By how much a face of find_shared_faces is open in the initial geometry where its length starts and ends along the
 // other's edge, m; negative where the blocks overlap.
 std::array<double, 2> opening_in_drawing(const Bodies& bodies, const SharedFace& face);

@@ -63,21 +63,16 @@ Bond make_bond(const SharedFace& face, const BondMaterial& material, const Joint
 // Convex blocks touch along one line. The face is the whole part of it that the same joint as that of `part` follows,
 // however corners divide it; lengths in between that another joint follows do not count.
 SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& part) {
-    const CornerRange& range = bodies.range[part.block];
-    const CornerRange& others = bodies.range[part.other];
     double begin = -part.length / 2;
     double end = part.length / 2;
     double length = part.length;
-    for (std::size_t edge = range.begin; edge < range.end; ++edge) {
-        for (std::size_t other = others.begin; other < others.end; ++other) {
-            const std::optional<SharedFace> face = shared_face(bodies, edge, other);
-            if (face && (edge != part.edge || other != part.other_edge) &&
-                &joint_of(scene, bodies, *face) == &joint_of(scene, bodies, part)) {
-                const double middle = part.along.dot(face->other_arm - part.other_arm);
-                begin = std::min(begin, middle - face->length / 2);
-                end = std::max(end, middle + face->length / 2);
-                length += face->length;
-            }
+    for (const SharedFace& face : faces_between(bodies, part.block, part.other)) {
+        if ((face.edge != part.edge || face.other_edge != part.other_edge) &&
+            &joint_of(scene, bodies, face) == &joint_of(scene, bodies, part)) {
+            const double middle = part.along.dot(face.other_arm - part.other_arm);
+            begin = std::min(begin, middle - face.length / 2);
+            end = std::max(end, middle + face.length / 2);
+            length += face.length;
         }
     }
     SharedFace whole = part;

@@ -136,11 +136,16 @@ constexpr std::array<std::string_view, 4> enum_names(CriticalParameter) {
     return {TiltSearch::kind, FrictionSearch::kind, ReductionSearch::kind, WeightSearch::kind};
 }
 
-CriticalParameter parameter_of(const CriticalRequest& request);
+constexpr CriticalParameter parameter_of(const CriticalRequest& request) {
+    return static_cast<CriticalParameter>(request.index());
+}
 
-// Name of the value as an output: "critical_tilt", "limiting_friction_angle", "factor_of_safety",
-// "critical_weight_factor".
-std::string_view name_of_critical(CriticalParameter parameter);
+// Name of the value as an output.
+constexpr std::string_view name_of_critical(CriticalParameter parameter) {
+    constexpr std::array<std::string_view, 4> names{"critical_tilt", "limiting_friction_angle", "factor_of_safety",
+                                                    "critical_weight_factor"};
+    return names[static_cast<std::size_t>(parameter)];
+}
 
 constexpr Dimension dimension_of(CriticalParameter parameter) {
     return parameter == CriticalParameter::tilt || parameter == CriticalParameter::friction ? Dimension::angle

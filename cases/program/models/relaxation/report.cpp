@@ -131,10 +131,6 @@ class Keeper {
     Clock::time_point last_ = Clock::now();
 };
 
-bool has_fixed_block(const RelaxationScene& scene) {
-    return std::ranges::any_of(scene.block, &RelaxationBlock::fixed);
-}
-
 // Whether any free block was still present at the end.
 bool any_free_block_left(const RelaxationRun& made) {
     for (std::size_t block = 0; block < made.scene.block.size(); ++block) {
@@ -173,10 +169,10 @@ void append_warning_of_open_joints(const RelaxationScene& scene, Analysis& analy
             continue;
         }
         // Amid the joint, between the middle of the face and its wider end.
-        const double along = at_start < at_end ? face.length / 4 : -face.length / 4;
-        const double above = (3 * opening + std::min(at_start, at_end)) / 4 / 2;
-        const PlanePoint<> between = bodies.centroid[face.other] + face.other_arm + along * face.along +
-                                     above * PlanePoint<>(face.along.y(), -face.along.x());
+        const PlanePoint<> between =
+            bodies.centroid[face.other] + face.other_arm +
+            std::copysign(face.length / 4, at_end - at_start) * face.along +
+            (3 * opening + std::min(at_start, at_end)) / 8 * PlanePoint<>(face.along.y(), -face.along.x());
         if (std::ranges::none_of(scene.block, [&](const auto& block) { return inside(block.outline, between); })) {
             ++open;
             blocks = opening > widest ? std::pair<std::size_t, std::size_t>(face.block, face.other) : blocks;
@@ -186,8 +182,8 @@ void append_warning_of_open_joints(const RelaxationScene& scene, Analysis& analy
     if (open > 0) {
         analysis.warnings.push_back(
             number_in_words(static_cast<double>(open)) + (open == 1 ? " joint is" : " joints are") +
-            " open in the initial geometry, by up to " + value_in_words(widest, Dimension::length) + " (blocks " +
-            std::to_string(blocks.first + 1) + " and " + std::to_string(blocks.second + 1) +
+            " open in the initial geometry, by up to " + value_in_words(widest, Dimension::length) + " (" +
+            block_name(blocks.first) + " and " + block_name(blocks.second) +
             "), and so without cohesion and tensile strength: joints count as closed up to a thousandth of the "
             "shortest edge of their blocks");
     }
@@ -200,11 +196,11 @@ void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
         const PointForce& force = made.scene.force[index];
         const RelaxationBlock& block = made.scene.block[force.block];
         if (block.fixed) {
-            analysis.warnings.push_back(indexed("force", index) + " has no effect: block " +
-                                        std::to_string(force.block + 1) + " is fixed");
+            analysis.warnings.push_back(indexed("force", index) + " has no effect: " + block_name(force.block) +
+                                        " is fixed");
         } else if (!is_in_or_on(block.outline, force.at)) {
-            analysis.warnings.push_back(indexed("force", index) + " acts outside block " +
-                                        std::to_string(force.block + 1) + ", as if by a lever");
+            analysis.warnings.push_back(indexed("force", index) + " acts outside " + block_name(force.block) +
+                                        ", as if by a lever");
         }
     }
     const std::optional<StartBalance>& start = made.result.start_balance;
@@ -214,7 +210,7 @@ void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
                                     " % of its load: at first they settle, as if dropped");
     }
     append_warning_of_open_joints(made.scene, analysis);
-    if (!has_fixed_block(made.scene) && !made.scene.belt) {
+    if (std::ranges::none_of(made.scene.block, &RelaxationBlock::fixed) && !made.scene.belt) {
         analysis.warnings.emplace_back("no block is fixed: all of them fall");
     }
     // Fraction of the block's radius. The deformation of springs is less, as is the displacement of blocks that slide
