@@ -99,7 +99,7 @@ void decompose(const Eigen::MatrixXd& matrix, Eigen::VectorXd& values, Eigen::Ma
     const Eigen::Index columns = matrix.cols();
     Eigen::MatrixXd square = Eigen::MatrixXd::Zero(std::max(matrix.rows(), columns), columns);
     square.topRows(matrix.rows()) = matrix;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(square, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(square, Eigen::ComputeThinV);
     values = decomposition.singularValues();
     directions = decomposition.matrixV();
 }

@@ -6,7 +6,7 @@
 #include "limit_equilibrium/block_row/block_row.hpp"
 #include "plane_failure/water_diagram.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -350,29 +350,29 @@ std::vector<Condition> dragged(const CaseModel& model, const std::string& name, 
         return found == handles.end() ? std::nullopt : std::optional(found->at);
     };
     constexpr int most_steps = 12;
-    constexpr int most_halvings = 6;
-    constexpr double share = 1e-6;  // steps for differences, as shares of the input or of its unit
+    constexpr double shortest = 1.0 / 32;  // of the change
+    constexpr double share = 1e-6;         // steps for differences, as shares of the input or of its unit
     std::optional<Point> here = place(values);
     for (int step = 0; here && step < most_steps; ++step) {
-        Eigen::MatrixXd slope(2, static_cast<Eigen::Index>(values.size()));
+        Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(2, static_cast<Eigen::Index>(values.size()));
         for (std::size_t index = 0; index < values.size(); ++index) {
             std::vector<Condition> other = values;
             const double change = share * std::max(1.0, std::abs(values[index].value));
-            other[index].value += change;
-            std::optional<Point> there = place(other);
-            double by = change;
-            if (!there) {
-                other[index].value = values[index].value - change;
-                there = place(other);
-                by = -change;
+            for (const double by : {change, -change}) {
+                other[index].value = values[index].value + by;
+                if (const std::optional<Point> there = place(other)) {
+                    slope.col(static_cast<Eigen::Index>(index)) = (*there - *here) / by;
+                    break;
+                }
             }
-            slope.col(static_cast<Eigen::Index>(index)) = there ? Point((*there - *here) / by) : Point(0, 0);
         }
-        const Eigen::VectorXd move = slope.completeOrthogonalDecomposition().solve(to - *here);
+        // The shortest change; the small term gives one where the point moves along a line only.
+        Eigen::Matrix2d square = slope * slope.transpose();
+        square.diagonal().array() += 1e-12 * square.trace();
+        const Eigen::VectorXd move = slope.transpose() * (square.inverse() * (to - *here));
         const double distance = (to - *here).norm();
         bool nearer = false;
-        double length = 1;
-        for (int halving = 0; halving < most_halvings && !nearer; ++halving, length /= 2) {
+        for (double length = 1; length >= shortest && !nearer; length /= 2) {
             std::vector<Condition> next = values;
             for (std::size_t index = 0; index < values.size(); ++index) {
                 next[index].value += length * move[static_cast<Eigen::Index>(index)];
