@@ -119,7 +119,7 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
         return std::nullopt;
     }
     const bool within_onset = moved.in_thresholds(settings) < 1;
-    std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene());
+    std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene(), simulation.state().time);
     bool some_landed = false;
     if (mechanism &&
         (mechanism->at_any_strength == true || (contact == InitialContact::perhaps_none && within_onset))) {

@@ -17,18 +17,18 @@ namespace delabole {
 
 namespace {
 
-// Whether the loads and the blocks present are those of the initial geometry for good.
-bool is_static(const RelaxationScene& scene) {
+// Whether the loads are those of the initial geometry for good, and the blocks present those of this time.
+bool is_static(const RelaxationScene& scene, double time = 0) {
     return scene.motion.empty() && !scene.belt &&
-           std::ranges::all_of(scene.removal, [](const Removal& removal) { return removal.time < 0; }) &&
+           std::ranges::all_of(scene.removal, [&](const Removal& removal) { return removal.time < time; }) &&
            (scene.shaking.empty() || (scene.shaking.size() == 1 && scene.shaking.front().time <= 0)) &&
            (scene.gravity.rate == 0 || scene.gravity.final_tilt == scene.gravity.tilt);
 }
 
-std::vector<char> removed_at_first(const RelaxationScene& scene) {
+std::vector<char> all_removed(const RelaxationScene& scene) {
     std::vector<char> removed(scene.block.size(), 0);
     for (const Removal& removal : scene.removal) {
-        removed[removal.block] |= removal.time < 0 ? 1 : 0;
+        removed[removal.block] = 1;
     }
     return removed;
 }
@@ -100,7 +100,7 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
     }
     const Bodies bodies = make_bodies(scene);
     const Assembly assembly =
-        assembly_of(scene, bodies, find_shared_faces(bodies), removed_at_first(scene), true).assembly;
+        assembly_of(scene, bodies, find_shared_faces(bodies), all_removed(scene), true).assembly;
     constexpr double most = 1e6;  // blocks that stand with less strength stand without
     constexpr double accuracy = 1e-6;
     double standing = 0;
@@ -122,13 +122,13 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
     return standing;
 }
 
-std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene) {
-    if (!is_static(scene)) {
+std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene, double time) {
+    if (!is_static(scene, time)) {
         return std::nullopt;
     }
     const Bodies bodies = make_bodies(scene);
     const std::vector<SharedFace> faces = find_shared_faces(bodies);
-    const std::vector<char> removed = removed_at_first(scene);
+    const std::vector<char> removed = all_removed(scene);
     const FaceAssembly made = assembly_of(scene, bodies, faces, removed, true);
     const LeastImbalance found = least_imbalance(made.assembly);
     if (found.status != LpStatus::optimal || found.stands()) {
