@@ -219,8 +219,13 @@ class PathSearch {
 
     // Returns false, and sets the status, if the blocks come to rest at none of these.
     bool consolidate(PathValue& value) {
-        for (const double at : consolidation_values()) {
+        constexpr std::size_t long_enough = 100'000;  // steps; at their very limit blocks creep for longer
+        const std::vector<double> values = consolidation_values();
+        for (const double at : values) {
+            const std::size_t most = at == values.back() ? settings_.most_steps : long_enough;
+            const std::size_t given = std::exchange(settings_.most_steps, std::min(settings_.most_steps, most));
             const CriticalProbe probe = probe_at(at, Needed::verdict);
+            settings_.most_steps = given;
             if (probe.outcome == RelaxationOutcome::equilibrium) {
                 value.consolidated_at = at;
                 standing_.emplace(at, probe);
@@ -228,7 +233,7 @@ class PathSearch {
             }
             static_cast<CriticalValue&>(value) = find_critical([&](double) { return probe; }, at, at, plan_.tolerance);
             // Blocks that fall far may crush each other: such a run has failed, but a stronger slope may come to rest.
-            if (value.status != CriticalStatus::fails_everywhere && value.status != CriticalStatus::run_failed) {
+            if (value.status == CriticalStatus::interrupted || value.status == CriticalStatus::not_valid) {
                 break;
             }
         }

@@ -184,6 +184,42 @@ vertex = [{ x = "10.9497545788 m", y = "5.97 m" }, { x = "15.9497545788 m", y = 
     EXPECT_NEAR(factor_of(kept), 2.903, 0.005) << "the bracket";
 }
 
+// What stood in front of a block on a plane is taken away in a stage, and the block's tip then stands in the corner of
+// plane and floor: tan(30 deg) / tan(dip). Statics was asked only about blocks that are there from the
+// beginning: 1.242.
+TEST(RelaxationRest, StaticsIsAskedAfterExcavation) {
+    const Analysis found = analysis_of_text(R"(schema = 1
+model = "relaxation"
+[scene]
+kind = "jointed_slope"
+intact_joint = "rock"
+outline = [
+    { x = "-20 m", y = "-6 m" }, { x = "50 m", y = "-6 m" }, { x = "50 m", y = "12 m" }, { x = "1.05 m", y = "12 m" },
+    { x = "0.7 m", y = "8 m" }, { x = "-6 m", y = "8 m" }, { x = "-6 m", y = "1 m" }, { x = "-20 m", y = "1 m" },
+]
+rock = [{ name = "rock", density = "2650 kg/m3" }]
+joint = [{ name = "plane", friction_angle = "30 deg" }, { name = "rock", friction_angle = "60 deg", cohesion = "100 MPa" }]
+cut = [
+    { name = "plane", joint = "plane", trace = { kind = "line", vertex = [{ x = "0.0875 m", y = "1 m" }, { x = "23.677 m", y = "12 m" }] } },
+    { name = "floor", joint = "plane", trace = { kind = "line", vertex = [{ x = "-8 m", y = "1 m" }, { x = "0.0875 m", y = "1 m" }] } },
+    { name = "face", joint = "plane", trace = { kind = "line", vertex = [{ x = "0.0875 m", y = "1 m" }, { x = "0.7 m", y = "8 m" }] } },
+]
+[scene.frame]
+sides = "all_around"
+thickness = "3 m"
+joint = "plane"
+[[scene.stage]]
+time = "0.1 s"
+vertex = [{ x = "-6.1 m", y = "0.99 m" }, { x = "0.1075 m", y = "0.99 m" }, { x = "0.75 m", y = "8.1 m" }, { x = "-6.1 m", y = "8.1 m" }]
+[settings]
+stop = "onset"
+[critical]
+parameter = "strength_reduction"
+tolerance = 0.001
+)");
+    EXPECT_NEAR(factor_of(found), std::tan(degrees(30)) * (23.677 - 0.0875) / 11, 0.001) << "a bracket";
+}
+
 TEST(RelaxationRest, ASearchSaysOnlyWhatItFound) {
     const auto searched = [](std::string_view lower, std::string_view upper) {
         return analysis_of_text(std::string(leaning_text) + "[critical]\nparameter = \"tilt\"\nlower = \"" +

@@ -378,7 +378,7 @@ void append_critical(Analysis& analysis, const RelaxationStudyAnswer& answer) {
     } else if (critical.consolidated_at && plan.is_ratio() && *critical.consolidated_at != 1 && plan.lower <= 1 &&
                plan.upper >= 1 && !other_path) {
         analysis.warnings.push_back(
-            "the blocks do not stand as the case has them: they were consolidated at a factor of " +
+            "the blocks do not stand, or not soon, as the case has them: they were consolidated at a factor of " +
             number_in_words(*critical.consolidated_at) +
             ", on which the value found may depend; critical.paths = \"all\" tells how much");
     }
