@@ -150,7 +150,7 @@ void add_models(Description& description, const std::variant<Models...>*) {
 
 std::vector<ClassSchema> described_classes() {
     Description description;
-    add_models(description, static_cast<const CaseModel*>(nullptr));
+    add_models(description, static_cast<const Models*>(nullptr));
     return description.take();
 }
 

@@ -39,7 +39,7 @@ double log_of(double value) {
 
 Eigen::MatrixXd principal_directions(const Eigen::MatrixXd& rows) {
     const Eigen::RowVectorXd mean = rows.colwise().mean();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(rows.rowwise() - mean, Eigen::ComputeThinV);
+    const Eigen::BDCSVD<Eigen::MatrixXd> decomposition(rows.rowwise() - mean, Eigen::ComputeThinV);
     const Eigen::VectorXd share = decomposition.singularValues().cwiseAbs2();
     Eigen::Index kept = 0;
     while (kept < share.size() && share[kept] > least_share_of_component * share.sum()) {

@@ -59,7 +59,7 @@ std::vector<CaseModel> one_of_each(std::index_sequence<index...>) {
 // "; it belongs to plane_failure and stepped_base" if other models have the key.
 std::string models_that_have(const std::string& key) {
     std::vector<std::string> names;
-    for (CaseModel& model : one_of_each(std::make_index_sequence<std::variant_size_v<CaseModel>>{})) {
+    for (CaseModel& model : one_of_each(std::make_index_sequence<std::variant_size_v<Models>>{})) {
         Reading ignored{std::string()};
         const Node nothing;
         Section section(ignored, nothing, "");
@@ -117,12 +117,19 @@ std::optional<Quantity> number_at(const Node& tree, const std::string& key, cons
 
 }  // namespace
 
+CaseModel::CaseModel() = default;
+CaseModel::CaseModel(const CaseModel&) = default;
+CaseModel::CaseModel(CaseModel&&) noexcept = default;
+CaseModel& CaseModel::operator=(const CaseModel&) = default;
+CaseModel& CaseModel::operator=(CaseModel&&) noexcept = default;
+CaseModel::~CaseModel() = default;
+
 std::string_view model_name(const CaseModel& model) {
     return std::visit([](const auto& alternative) { return std::remove_cvref_t<decltype(alternative)>::kind; }, model);
 }
 
 std::vector<std::string> model_names() {
-    return detail::kind_names<CaseModel>();
+    return detail::kind_names<Models>();
 }
 
 std::vector<Quantity> named_inputs(const CaseModel& model) {
@@ -142,7 +149,7 @@ std::optional<CaseModel> choose_model(Section& section) {
     const Node* node = section.require("model", choices(names));
     const auto index =
         node == nullptr ? std::nullopt : read_choice(section.reading(), *node, section.path_of("model"), names);
-    return index ? model_of_index(*index, std::make_index_sequence<std::variant_size_v<CaseModel>>{}) : std::nullopt;
+    return index ? model_of_index(*index, std::make_index_sequence<std::variant_size_v<Models>>{}) : std::nullopt;
 }
 
 bool Expectation::is_word() const {

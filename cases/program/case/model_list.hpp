@@ -17,7 +17,18 @@
 
 namespace delabole {
 
-using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
-                               KinematicsStudy, RelaxationStudy, FlexuralSlope, SteppedPath, WedgeFailureStudy<>>;
+using Models = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
+                            KinematicsStudy, RelaxationStudy, FlexuralSlope, SteppedPath, WedgeFailureStudy<>>;
+
+// Copied, moved and destroyed in one source: the models are large, and many sources do so.
+struct CaseModel : Models {
+    using Models::Models;
+    CaseModel();
+    CaseModel(const CaseModel&);
+    CaseModel(CaseModel&&) noexcept;
+    CaseModel& operator=(const CaseModel&);
+    CaseModel& operator=(CaseModel&&) noexcept;
+    ~CaseModel();
+};
 
 }  // namespace delabole

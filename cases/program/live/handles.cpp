@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string_view>
@@ -368,7 +369,7 @@ std::vector<Condition> dragged(const CaseModel& model, const std::string& name, 
         }
         // The shortest change; the small term gives one where the point moves along a line only.
         Eigen::Matrix2d square = slope * slope.transpose();
-        square.diagonal().array() += 1e-8 * square.trace();
+        square.diagonal().array() += std::max(1e-8 * square.trace(), std::numeric_limits<double>::min());
         const Eigen::VectorXd move = slope.transpose() * (square.inverse() * (to - *here));
         const double distance = (to - *here).norm();
         bool nearer = false;

@@ -277,10 +277,10 @@ void Bonds::resume(const std::vector<BondMemory>& memory) {
         if (memory[index].shift != OutlineShift{}) {
             const BlockPair pair = blocks_of(bond_[index].face);
             const OutlineShift& since = memory[index].shift;
-            const auto drawn = std::ranges::lower_bound(closed_, pair, {}, &ShiftedPair::pair);
-            if (drawn != closed_.end() && drawn->pair == pair) {
-                OutlineShift& shift = shifted_[static_cast<std::size_t>(drawn - closed_.begin())].shift;
-                shift = {drawn->shift.x + since.x, drawn->shift.y + since.y, drawn->shift.angle + since.angle};
+            const auto closed = std::ranges::lower_bound(closed_, pair, {}, &ShiftedPair::pair);
+            if (closed != closed_.end() && closed->pair == pair) {
+                OutlineShift& shift = shifted_[static_cast<std::size_t>(closed - closed_.begin())].shift;
+                shift = {closed->shift.x + since.x, closed->shift.y + since.y, closed->shift.angle + since.angle};
             } else {
                 shifted_.push_back({pair, since});
             }

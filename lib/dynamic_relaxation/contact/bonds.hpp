@@ -69,8 +69,8 @@ struct Bond : FaceStiffness {
     double contact_stiffness;  // N/m, normal, of each of the two
 };
 
-// `handed_over` occurs for bonds of joints only: the contacts replace the bond, which has not reached its tensile
-// strength, or has none, and keep its cohesion.
+// `handed_over` occurs for bonds of joints only: the contacts replace a bond that is overloaded in shear, or has no
+// tensile strength, and keep its cohesion.
 enum class BondState { whole, broken_in_tension, broken_in_shear, block_removed, handed_over };
 
 constexpr bool is_broken(BondState state) {

@@ -15,6 +15,7 @@
 #include "dynamic_relaxation/contact/contacts.hpp"
 #include "numerics/lanes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -300,8 +301,9 @@ inline double elastic_energy(const ContactLaw& law, const RelaxationContact& con
         return 0;
     }
     const ContactPosition at = locate(contact, block, other);
+    const double overlap = std::max(-at.gap, 0.0);  // none at an end that has just lifted off (bonds.hpp)
     return contact_weight(law, contact, at, memory.insists) *
-           (law.normal_stiffness * at.gap * at.gap + law.shear_stiffness * memory.shear * memory.shear) / 2;
+           (law.normal_stiffness * overlap * overlap + law.shear_stiffness * memory.shear * memory.shear) / 2;
 }
 
 }  // namespace delabole

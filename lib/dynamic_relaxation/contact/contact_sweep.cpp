@@ -36,7 +36,7 @@ DELABOLE_INLINED MotionOf<Lanes> gather_motion(const Rows<Lanes>& rows) {
 template <IsLanes Lanes>
 DELABOLE_INLINED EdgeEndsOf<Lanes> gather_ends(const Rows<Lanes>& rows) {
     const std::array<Lanes, 8> of = gather_eight<Lanes>(rows);
-    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6]};
+    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
 }
 
 // In most groups all contacts have the same law.
@@ -211,9 +211,9 @@ DELABOLE_INLINED unsigned stay_weightless(const Part<Lanes>& part, const EdgeEnd
                           (part.of(part.numbers.normal_drag) == 0.0) & (part.of(part.numbers.shear_drag) == 0.0));
 }
 
-// Evaluates the contacts of a part at once, except those that take something over or are held by a bond. Returns the
-// contacts that are left. `meanwhile`, called once, is independent of them, as only forces of this part change: the
-// processor runs it alongside their formulas while it waits for data.
+// Evaluates the contacts of a part at once, except those that take something over. Returns the contacts that are left.
+// `meanwhile`, called once, is independent of them, as only forces of this part change: the processor runs it alongside
+// their formulas while it waits for data.
 template <IsLanes Lanes, class Meanwhile>
 DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Part<Lanes>& part, const Duty& duty,
                                             const Meanwhile& meanwhile) {

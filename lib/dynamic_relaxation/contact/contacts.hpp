@@ -32,7 +32,7 @@ struct ContactRange {
 };
 
 // How an edge bears as a corner of another block comes over its ends. Many contacts share it, so that a step has less
-// to read: a pack of bricks has only a few. It is read as rows of eight numbers, of which the last means nothing.
+// to read: a pack of bricks has only a few. It is read as rows of eight numbers.
 template <class Number>
 struct alignas(8 * sizeof(double)) EdgeEndsOf {
     Number start_weight;  // weight of the contact where the corner is at the edge's start
@@ -50,6 +50,7 @@ struct alignas(8 * sizeof(double)) EdgeEndsOf {
     // the rival is the edge of the corner's own block on which the edge's end may bear (corner_choice.hpp); otherwise
     // 0.
     Number alone;
+    Number unused;  // fills the row
 
     bool operator==(const EdgeEndsOf&) const = default;
 };
@@ -121,14 +122,14 @@ struct ContactNumbersOf {
     Number shear_drag{};   // N/m, along the edge
     // These change only where a contact slides or begins to touch.
     Number slip{};      // plastic displacement along the edge since it was last recorded (outcome.hpp)
-    Number friction{};  // J/m, dissipated so far, including broken bonds
+    Number friction{};  // J/m, dissipated so far
 };
 
 template <class Flag>
 struct ContactFlagsOf {
     Flag touching{};
     Flag sliding{};
-    Flag broken{};  // peak strength, cohesion and tensile strength are gone
+    Flag broken{};  // peak friction and cohesion are gone
     // The corner is below the line of the edge without having crossed the edge, for instance past its end: it does not
     // overlap this edge and cannot bear on it until it has been above its line.
     Flag beneath{};

@@ -25,9 +25,9 @@ struct JointMaterial {
     // 5.4(b).
     std::optional<double> residual_friction_angle = {};
     // Pa over the shared length of the faces, lost with the first slip or opening. Half of it acts at either end; it is
-    // spread over the face if the joint has a bond of its own (FaceBond).
+    // spread over the face as long as the joint has a bond of its own (FaceBond).
     double cohesion = 0;
-    double tensile_strength = 0;
+    double tensile_strength = 0;  // Pa, of the joint's own bond, lost where an end lifts off
     // Material of the bonds that find_bonds makes across faces of this joint: intact rock. Unset: the joint is open.
     std::optional<std::size_t> bond = {};
     // Pa, the part of the cohesion that is not lost, at most all of it: then the joint is perfectly plastic in shear.

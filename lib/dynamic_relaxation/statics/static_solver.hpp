@@ -53,7 +53,8 @@ struct StaticSolution {
 // improves: it converges to stable equilibria only. Each solution uses Newton's tangents of the contacts (friction
 // makes them unsymmetric). Fewer than 24 free blocks move by one linear solution at a time, 300 at most. For the
 // nearest balance this is tried with a first resistance of 1, 30 and 1000 times the joints' stiffness, until a balance
-// lies well within the limits of creep; if none of them finds any, up to 2000 solutions with creep follow.
+// lies within a tenth of the limits of creep, or else the nearest is taken. If there is none, the blocks creep, in 2000
+// solutions at most where they may be left crept.
 //
 // With more blocks, so many contacts would begin or end to slide or to touch in one solution that balance would not
 // improve. There, each step is solved until pseudo-viscosity balances the unbalanced forces, from the memories that

@@ -121,8 +121,9 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     const bool within_onset = moved.in_thresholds(settings) < 1;
     std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene(), simulation.state().time);
     bool some_landed = false;
-    if (mechanism &&
-        (mechanism->at_any_strength == true || (contact == InitialContact::perhaps_none && within_onset))) {
+    // Stages of excavation leave gaps, too.
+    const bool may_be_apart = contact == InitialContact::perhaps_none || !simulation.scene().removal.empty();
+    if (mechanism && (mechanism->at_any_strength == true || (may_be_apart && within_onset))) {
         some_landed = has_closed_joints(simulation);
         mechanism = some_landed ? mechanism_where_blocks_landed(simulation, *mechanism) : mechanism;
     }

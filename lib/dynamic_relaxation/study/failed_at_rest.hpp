@@ -20,10 +20,11 @@ bool any_is_drawn_apart(const RelaxationScene& scene);
 //   `begun_at` or else the initial geometry. A static solve lets them creep as long as their balance improves, for
 //   instance until they lean on rock in front. This does not count where something carries them along, nor where blocks
 //   that may be drawn apart have moved onto each other;
-// - or statics finds no forces that hold them in the initial geometry (`mechanism_of_statics`): some find their balance
-//   in another shape, leaning on each other after a turn of a thousandth. Where no strength holds them as drawn, or
-//   blocks may be drawn apart and moved less than onset, what they came to rest on across open joints may hold them,
-//   too (`mechanism_where_blocks_landed`). Statics is asked if the run has no verdict or came to rest; of more than
+// - or statics finds no forces that hold them in the initial geometry, without what was excavated
+//   (`mechanism_of_statics`): some find their balance in another shape, leaning on each other after a turn of a
+//   thousandth. Where no strength holds them as drawn, or blocks may be drawn apart or have lost neighbours and moved
+//   less than onset, what they came to rest on across open joints may hold them, too
+//   (`mechanism_where_blocks_landed`). Statics is asked if the run has no verdict or came to rest; of more than
 //   2000 blocks only if they have moved by 0.002 radii or have bolts, of which a short one turns towards the direction
 //   of slip within millimetres, and would hold like a dowel. The state is that of its mechanism at onset if the blocks
 //   moved less or some have landed.

@@ -1,4 +1,5 @@
 // Searches for a critical value: the scene at each value, and the loading path to it.
+#include "dynamic_relaxation/step/loads.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
 #include "dynamic_relaxation/study/failed_at_rest.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
@@ -220,10 +221,12 @@ class PathSearch {
     // Returns false, and sets the status, if the blocks come to rest at none of these.
     bool consolidate(PathValue& value) {
         constexpr std::size_t long_enough = 100'000;  // steps; at their very limit blocks creep for longer
+        const bool may_be_cut = last_scheduled_time(scene_, settings_) <= 0;
         const std::vector<double> values = consolidation_values();
+        const std::size_t given = settings_.most_steps;
+        bool any_undecided = false;
         for (const double at : values) {
-            const std::size_t most = at == values.back() ? settings_.most_steps : long_enough;
-            const std::size_t given = std::exchange(settings_.most_steps, std::min(settings_.most_steps, most));
+            settings_.most_steps = may_be_cut && at != values.back() ? std::min(given, long_enough) : given;
             const CriticalProbe probe = probe_at(at, Needed::verdict);
             settings_.most_steps = given;
             if (probe.outcome == RelaxationOutcome::equilibrium) {
@@ -232,11 +235,13 @@ class PathSearch {
                 return true;
             }
             static_cast<CriticalValue&>(value) = find_critical([&](double) { return probe; }, at, at, plan_.tolerance);
-            // Blocks that fall far may crush each other: such a run has failed, but a stronger slope may come to rest.
+            // A stronger slope may come to rest even if blocks of this one crushed each other.
             if (value.status == CriticalStatus::interrupted || value.status == CriticalStatus::not_valid) {
-                break;
+                return false;
             }
+            any_undecided |= value.status == CriticalStatus::undecided;
         }
+        value.status = any_undecided ? CriticalStatus::undecided : value.status;
         return false;
     }
 
@@ -421,27 +426,6 @@ std::vector<Quantity> outputs_of_search(const CriticalPlan& plan) {
                            "root mean square difference of the other paths from the first, which fits count"});
     }
     return outputs;
-}
-
-std::vector<double> CriticalAnswer::values() const {
-    std::vector<double> found{value()};
-    std::ranges::transform(other, std::back_inserter(found), [](const PathValue& one) { return one.value(); });
-    if (!other.empty()) {
-        const Eigen::Map<const Eigen::ArrayXd> all(found.data(), static_cast<Eigen::Index>(found.size()));
-        const double spread = all.maxCoeff() - all.minCoeff();
-        const double deviation = (all - value()).matrix().norm() / std::sqrt(static_cast<double>(other.size()));
-        found.insert(found.end(), {spread, deviation});
-    }
-    return found;
-}
-
-CriticalStatus CriticalAnswer::worst_status() const {
-    if (status != CriticalStatus::found) {
-        return status;
-    }
-    const auto bad =
-        std::ranges::find_if(other, [](const PathValue& one) { return one.status != CriticalStatus::found; });
-    return bad == other.end() ? CriticalStatus::found : bad->status;
 }
 
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {

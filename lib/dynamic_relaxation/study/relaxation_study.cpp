@@ -358,4 +358,25 @@ ModelInterface model_interface(const RelaxationStudy& study) {
     return model;
 }
 
+std::vector<double> CriticalAnswer::values() const {
+    std::vector<double> found{value()};
+    std::ranges::transform(other, std::back_inserter(found), [](const PathValue& one) { return one.value(); });
+    if (!other.empty()) {
+        const Eigen::Map<const Eigen::ArrayXd> all(found.data(), static_cast<Eigen::Index>(found.size()));
+        const double spread = all.maxCoeff() - all.minCoeff();
+        const double deviation = (all - value()).matrix().norm() / std::sqrt(static_cast<double>(other.size()));
+        found.insert(found.end(), {spread, deviation});
+    }
+    return found;
+}
+
+CriticalStatus CriticalAnswer::worst_status() const {
+    if (status != CriticalStatus::found) {
+        return status;
+    }
+    const auto bad =
+        std::ranges::find_if(other, [](const PathValue& one) { return one.status != CriticalStatus::found; });
+    return bad == other.end() ? CriticalStatus::found : bad->status;
+}
+
 }  // namespace delabole

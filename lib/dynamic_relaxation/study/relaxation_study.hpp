@@ -171,7 +171,8 @@ struct RelaxationAnswer {
         using R = RelaxationAnswer;
         return FieldTable{
             section<&R::outcome>("how the run ended"),
-            number<&R::onset_time>(Dimension::time, "of failure; infinite: no onset"),
+            number<&R::onset_time>(Dimension::time,
+                                   "of failure; infinite: no onset; 0: the blocks rest, but not as drawn"),
             number<&R::time>(Dimension::time, "model time at the end"),
             number<&R::tilt>(Dimension::angle, "of gravity and a turned base together, at the end"),
             number<&R::crack_time>(Dimension::time, "of the first tension crack; infinite: none seen"),

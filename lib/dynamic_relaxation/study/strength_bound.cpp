@@ -18,7 +18,7 @@ namespace delabole {
 namespace {
 
 // Whether the loads are those of the initial geometry for good, and the blocks present those of this time.
-bool is_static(const RelaxationScene& scene, double time = 0) {
+bool is_static(const RelaxationScene& scene, double time) {
     return scene.motion.empty() && !scene.belt &&
            std::ranges::all_of(scene.removal, [&](const Removal& removal) { return removal.time < time; }) &&
            (scene.shaking.empty() || (scene.shaking.size() == 1 && scene.shaking.front().time <= 0)) &&
@@ -95,12 +95,11 @@ Assembly alone(const Assembly& assembly, std::size_t body) {
 
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, const std::atomic<bool>* stop) {
     // A reduction of strength would divide the capacity of bolts, too.
-    if (!is_static(scene) || !scene.bolt.empty()) {
+    if (!is_static(scene, 0) || !scene.bolt.empty()) {
         return std::nullopt;
     }
     const Bodies bodies = make_bodies(scene);
-    const Assembly assembly =
-        assembly_of(scene, bodies, find_shared_faces(bodies), all_removed(scene), true).assembly;
+    const Assembly assembly = assembly_of(scene, bodies, find_shared_faces(bodies), all_removed(scene), true).assembly;
     constexpr double most = 1e6;  // blocks that stand with less strength stand without
     constexpr double accuracy = 1e-6;
     double standing = 0;

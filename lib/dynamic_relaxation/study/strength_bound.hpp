@@ -36,9 +36,9 @@ struct StaticMechanism {
 };
 
 // The mechanism by which blocks fail if no such forces exist at the scene's strength, bolts bearing up to their
-// capacity along their axes; nothing if there are such forces, or no answer. `time`: of a run, s, before which all
-// stages of excavation have been made. One linear programme if there are such forces, two to four if not; half a second
-// each for 1500 blocks.
+// capacity along their axes; nothing if there are such forces, or no answer, or if a stage of excavation is still to
+// come at this time of a run, s (0: at its start). One linear programme if there are such forces, two to four if not;
+// half a second each for 1500 blocks.
 std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene, double time = 0);
 
 // The same where blocks have come to rest on others that they did not touch in the initial geometry: forces act at

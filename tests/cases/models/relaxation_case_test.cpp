@@ -221,7 +221,7 @@ TEST(RelaxationCase, NamesWhatMakesASceneImpossible) {
               "first one once");
     EXPECT_EQ(explained(changed(blocks_text, "y = \"0 m\", joint = 1", "y = \"0.1 m\"")),
               "overlap_at_start: block 1 and block 2 overlap in the drawing by more than ten times what their weight "
-              "would do, and by more than rounded coordinates explain: they would explode");
+              "would do, and not by rounding along one face: they would explode");
     EXPECT_EQ(explained(changed(blocks_text, "500 MN", "1e-6 MN")).substr(0, 18), "stiffness_too_soft");
     EXPECT_EQ(explained(changed(blocks_text, "500 MN", "1e12 MN")).substr(0, 19), "stiffness_too_stiff");
     EXPECT_EQ(explained(changed(blocks_text, "\"2.7 t/m3\"", "\"2.7 t/m3\"\nhold = \"fixed\"")),

@@ -220,6 +220,36 @@ tolerance = 0.001
     EXPECT_NEAR(factor_of(found), std::tan(degrees(30)) * (23.677 - 0.0875) / 11, 0.001) << "a bracket";
 }
 
+// A plate of 2 mm in front of a block on a plane of 40 deg is taken away: the block slides as far and leans on a stop.
+// Statics finds no forces that hold it as drawn, but those at the stop hold it.
+TEST(RelaxationRest, ABlockThatClosesTheGapOfAStageStands) {
+    const Analysis found = analysis_of_text(R"(schema = 1
+model = "relaxation"
+[scene]
+kind = "jointed_slope"
+tilt = "40 deg"
+outline = [{ x = "-2 m", y = "-1 m" }, { x = "4 m", y = "-1 m" }, { x = "4 m", y = "1 m" }, { x = "-2 m", y = "1 m" }]
+rock = [{ name = "rock", density = "2650 kg/m3" }]
+joint = [{ name = "joint", friction_angle = "30 deg" }]
+cut = [
+    { name = "plane", joint = "joint", trace = { kind = "line", vertex = [{ x = "-3 m", y = "0 m" }, { x = "5 m", y = "0 m" }] } },
+    { name = "stop", joint = "joint", trace = { kind = "line", vertex = [{ x = "-0.002 m", y = "0 m" }, { x = "-0.002 m", y = "2 m" }] } },
+    { name = "plate", joint = "joint", trace = { kind = "line", vertex = [{ x = "0 m", y = "0 m" }, { x = "0 m", y = "2 m" }] } },
+    { name = "back", joint = "joint", trace = { kind = "line", vertex = [{ x = "1 m", y = "0 m" }, { x = "1 m", y = "2 m" }] } },
+]
+[[scene.fixed]]
+vertex = [{ x = "-3 m", y = "-2 m" }, { x = "5 m", y = "-2 m" }, { x = "5 m", y = "-0.01 m" }, { x = "-3 m", y = "-0.01 m" }]
+[[scene.fixed]]
+vertex = [{ x = "-3 m", y = "0.01 m" }, { x = "-0.01 m", y = "0.01 m" }, { x = "-0.01 m", y = "2 m" }, { x = "-3 m", y = "2 m" }]
+[[scene.stage]]
+time = "0.05 s"
+vertex = [{ x = "-0.0015 m", y = "0.01 m" }, { x = "-0.0005 m", y = "0.01 m" }, { x = "-0.0005 m", y = "2 m" }, { x = "-0.0015 m", y = "2 m" }]
+[settings]
+stop = "onset"
+)");
+    EXPECT_EQ(std::get<std::string>(output_at_rest(found, "outcome")), "equilibrium");
+}
+
 TEST(RelaxationRest, ASearchSaysOnlyWhatItFound) {
     const auto searched = [](std::string_view lower, std::string_view upper) {
         return analysis_of_text(std::string(leaning_text) + "[critical]\nparameter = \"tilt\"\nlower = \"" +

@@ -124,6 +124,25 @@ TEST(JointStrength, CarriesAHangingBlockByItsWholeFace) {
     }
 }
 
+// The springs of the joint hold t^2 L^2 / (4 k) when it tears, of which its contacts, open, keep nothing.
+TEST(JointStrength, TornGivesUpTheEnergyOfItsSprings) {
+    RelaxationScene scene;
+    scene.block = {{rectangle(0, -1, 1, 1), density}, fixed_block(rectangle(-1, 0, 3, 1))};
+    scene.material = {joint(1e9, degrees(30))};
+    constexpr double tension = 5e6;
+    scene.material[0].tensile_strength = tension;
+    scene.bond = find_bonds(scene);
+    scene.force = {{0, {0.5, -0.5}, {0, -1.2 * tension}}};
+    RelaxationSettings settings;
+    settings.start = RelaxationStart::dropped;
+    settings.duration = 0.1;
+    const RelaxationResult result = relax(scene, settings);
+    const double torn = tension * tension / (4 * 1e9);
+    // The bond breaks in the first step in which it is overloaded.
+    EXPECT_NEAR(result.energy_balance.bonds, torn, 0.2 * torn);
+    EXPECT_LT(std::abs(result.energy_balance.residual()), 0.05 * torn);
+}
+
 TEST(JointStrength, IsThatOfTheFaceHoweverManyVerticesItHas) {
     OnPlane plane;
     plane.height_to_width = 0.9;
