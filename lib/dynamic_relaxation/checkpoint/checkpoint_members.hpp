@@ -8,7 +8,7 @@
 namespace delabole {
 
 DELABOLE_MEMBERS(Motion, x, y, sine, versine, vx, vy, spin, angle)
-DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, alone)
+DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, alone, unused)
 DELABOLE_MEMBERS(JointLaw, normal_stiffness, shear_stiffness, normal_dashpot, shear_dashpot, friction,
                  residual_friction, cohesion, residual_cohesion)
 DELABOLE_MEMBERS(ContactBlocks, block, other, twin, ends, joint)

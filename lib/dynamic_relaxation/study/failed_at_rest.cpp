@@ -99,6 +99,11 @@ void move_to_onset(const Bodies& bodies, const RelaxationSettings& settings, std
     }
 }
 
+// Stages of excavation leave gaps, too.
+bool may_be_apart(const RelaxationScene& scene, InitialContact contact) {
+    return contact == InitialContact::perhaps_none || !scene.removal.empty();
+}
+
 constexpr std::size_t quickly_asked = 2000;  // blocks of which statics tells in about a second
 
 // The state in which blocks have failed by statics, if it has to be asked and finds no forces that hold them.
@@ -121,9 +126,8 @@ std::optional<RelaxationState> failed_by_statics(const Simulation& simulation, I
     const bool within_onset = moved.in_thresholds(settings) < 1;
     std::optional<StaticMechanism> mechanism = mechanism_of_statics(simulation.scene(), simulation.state().time);
     bool some_landed = false;
-    // Stages of excavation leave gaps, too.
-    const bool may_be_apart = contact == InitialContact::perhaps_none || !simulation.scene().removal.empty();
-    if (mechanism && (mechanism->at_any_strength == true || (may_be_apart && within_onset))) {
+    if (mechanism &&
+        (mechanism->at_any_strength == true || (may_be_apart(simulation.scene(), contact) && within_onset))) {
         some_landed = has_closed_joints(simulation);
         mechanism = some_landed ? mechanism_where_blocks_landed(simulation, *mechanism) : mechanism;
     }
@@ -168,7 +172,7 @@ std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, Init
 }
 
 bool fails_by_statics(const RelaxationScene& scene, const RelaxationSettings& settings, InitialContact contact) {
-    if (scene.block.size() > quickly_asked || settings.corners_bear || contact == InitialContact::perhaps_none) {
+    if (scene.block.size() > quickly_asked || settings.corners_bear || may_be_apart(scene, contact)) {
         return false;
     }
     const std::optional<StaticMechanism> mechanism = mechanism_of_statics(scene);
