@@ -228,6 +228,8 @@ model = "relaxation"
 [scene]
 kind = "jointed_slope"
 tilt = "40 deg"
+sliver_share = 0
+snap_distance = "0.1 mm"
 outline = [{ x = "-2 m", y = "-1 m" }, { x = "4 m", y = "-1 m" }, { x = "4 m", y = "1 m" }, { x = "-2 m", y = "1 m" }]
 rock = [{ name = "rock", density = "2650 kg/m3" }]
 joint = [{ name = "joint", friction_angle = "30 deg" }]
