@@ -2,7 +2,10 @@
 // are convex and share their edges.
 #include "jointed_slope/jointed_section.hpp"
 
+#include "jointed_slope/section_mesh.hpp"
 #include "tests/support/jointed_slopes.hpp"
+
+#include <Eigen/Geometry>
 
 #include <fuzzer/FuzzedDataProvider.h>
 
@@ -120,6 +123,17 @@ void look_at(const delabole::SlopeGeometry& geometry, const delabole::JointedSec
         outline.emplace_back(point.x, point.y);
         size = std::max(size, (outline.back() - outline.front()).norm());
     }
+    // The cutter moves corners that lie nearer than the snap distance to the lowest, foremost or rearmost one on to the
+    // same level or upright.
+    Eigen::AlignedBox2d bounds;
+    for (const PlanePoint<>& corner : outline) {
+        bounds.extend(corner);
+    }
+    const auto moved = [&](double at, double on) { return std::abs(at - on) < made.snap_distance ? on : at; };
+    for (PlanePoint<>& corner : outline) {
+        corner.y() = moved(corner.y(), bounds.min().y());
+        corner.x() = moved(moved(corner.x(), bounds.max().x()), bounds.min().x());
+    }
     // Rounding of the coordinates, which count from the first corner, times the way around all blocks.
     const double rounding = 1e-12 * size * size;
     double area = made.crushed_area;
@@ -134,7 +148,8 @@ void look_at(const delabole::SlopeGeometry& geometry, const delabole::JointedSec
             require(edges.emplace(first, second).second, "blocks do not overlap");
             const PlanePoint<> one = made.vertex[second] - made.vertex[first];
             const PlanePoint<> two = made.vertex[third] - made.vertex[second];
-            require(one.x() * two.y() - one.y() * two.x() >= -rounding, "blocks are convex");
+            const double straight = delabole::straight_sine * one.norm() * two.norm();
+            require(one.x() * two.y() - one.y() * two.x() >= -rounding - straight, "blocks are convex");
         }
         area += delabole::area_properties(outline_of(made, block)).area;
     }
