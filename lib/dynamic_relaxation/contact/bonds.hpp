@@ -28,9 +28,9 @@
 //   shear   cohesion L + N tan(friction), the joint's peak: limit equilibrium
 //   moment  (N + t L) L / 6, the elastic section with a tensile strength t; or N L / 2, if that is more: as long as
 //           both ends would be pressed without it, the joint stays closed.
-// Where an end lifts off, tensile strength is lost, but cohesion is not: the contacts that replace the bond have half
-// of it each, until they slip or open. They also replace a bond that is overloaded in shear while static equilibrium is
-// sought: without inertia, load passes from joint to joint before they break.
+// A joint loses its tensile strength where an end lifts off, but keeps its cohesion: each of the contacts that replace
+// the bond has half of it, until it slips or opens. Contacts also replace a bond that is overloaded in shear while
+// static equilibrium is sought: without inertia, load passes from joint to joint before they break.
 //
 // While a pair of blocks has a whole bond, it has no contacts. Reference: Kawai, T. (1978) New discrete models and
 // their application to seismic response analysis of structures. Nucl. Eng. Des. 48, 207-229.

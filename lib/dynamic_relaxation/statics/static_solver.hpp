@@ -25,7 +25,7 @@ struct StaticSolveSettings {
     Creep creep;
     double creep_rotation;  // rad, limit
     double creep_slide;     // in radii, limit
-    // Of several equilibria of few blocks the one nearest to where they begin is sought.
+    // Few blocks may have several equilibria: the solver then seeks the one nearest to where they begin.
     bool nearest;
     // Whether blocks may stand on corners on corners, which have to hold them with either edge then
     // (corner_choice.hpp).
@@ -56,8 +56,8 @@ struct StaticSolution {
 // lies within a tenth of the limits of creep, or else the nearest is taken. If there is none, the blocks creep, in 2000
 // solutions at most where they may be left crept.
 //
-// With more blocks, so many contacts would begin or end to slide or to touch in one solution that balance would not
-// improve. There, each step is solved until pseudo-viscosity balances the unbalanced forces, from the memories that
+// More blocks do not find balance in this way, because too many contacts begin or end to slide or to touch in one
+// solution. There, each step is solved until pseudo-viscosity balances the unbalanced forces, from the memories that
 // contacts had before it. Not only the blocks resist but also their contacts, including open ones, which keeps them
 // from fluttering; there are 2000 linear solutions at most. Near the limit of stability, what is left of a slow motion
 // that dies out is made at once (Aitken's extrapolation), and so are many steps of a steady creep. Where the force of a
