@@ -184,9 +184,8 @@ vertex = [{ x = "10.9497545788 m", y = "5.97 m" }, { x = "15.9497545788 m", y = 
     EXPECT_NEAR(factor_of(kept), 2.903, 0.005) << "the bracket";
 }
 
-// What stood in front of a block on a plane is taken away in a stage, and the block's tip then stands in the corner of
-// plane and floor: tan(30 deg) / tan(dip). Statics was asked only about blocks that are there from the
-// beginning: 1.242.
+// A stage takes away what stands in front of a block on a plane. The block's tip then stands in the corner of plane and
+// floor, and its factor is tan(30 deg) / tan(dip). It was 1.242 as long as statics was not asked after stages.
 TEST(RelaxationRest, StaticsIsAskedAfterExcavation) {
     const Analysis found = analysis_of_text(R"(schema = 1
 model = "relaxation"

@@ -318,7 +318,7 @@ RelaxationStudy sheared_slope(double tension) {
     return study;
 }
 
-// Where heels lift off, toes keep their half of the cohesion. With a tensile strength of 1 Pa joints lost all of it
+// Toes keep their half of the cohesion when heels lift off. Joints with a tensile strength of 1 Pa lost all of it
 // there, and the slope had a factor of 2.91.
 TEST(JointStrength, OfTheEndThatStaysPressedIsKept) {
     const CriticalAnswer without = find_critical(sheared_slope(0));
