@@ -6,11 +6,11 @@
 #include "limit_equilibrium/block_row/block_row.hpp"
 #include "plane_failure/water_diagram.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string_view>
@@ -369,7 +369,10 @@ std::vector<Condition> dragged(const CaseModel& model, const std::string& name, 
         }
         // The shortest change; the small term gives one where the point moves along a line only.
         Eigen::Matrix2d square = slope * slope.transpose();
-        square.diagonal().array() += std::max(1e-8 * square.trace(), std::numeric_limits<double>::min());
+        if (!(square.trace() > 0)) {
+            break;  // nothing moves the point
+        }
+        square.diagonal().array() += 1e-8 * square.trace();
         const Eigen::VectorXd move = slope.transpose() * (square.inverse() * (to - *here));
         const double distance = (to - *here).norm();
         bool nearer = false;

@@ -1,9 +1,33 @@
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
 
+#include "numerics/constants.hpp"
+
 #include <algorithm>
 #include <iterator>
 
 namespace delabole {
+
+namespace {
+
+// Less is rounding, with nothing in between; m.
+double least_gap(const Bodies& bodies, std::size_t block, std::size_t other) {
+    constexpr double rounding = 1e-9;  // of the shortest edge
+    return rounding * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
+}
+
+// How far a block reaches along a direction.
+double extent_along(const Bodies& bodies, std::size_t block, const PlanePoint<>& direction) {
+    double least = infinity;
+    double greatest = -infinity;
+    for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
+        const double at = direction.dot(bodies.corner[corner]);
+        least = std::min(least, at);
+        greatest = std::max(greatest, at);
+    }
+    return greatest - least;
+}
+
+}  // namespace
 
 std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge, double opening) {
     const std::size_t block = bodies.block_of[edge];
@@ -78,11 +102,80 @@ std::vector<BlockPair> touching_blocks(const Bodies& bodies, double opening) {
     return neighbouring_blocks(bodies, unmoved, none_removed, reach);
 }
 
+BlocksBetween::BlocksBetween(const Bodies& bodies, const std::vector<BlockPair>& near)
+    : bodies_(bodies), near_(bodies.size()) {
+    for (const auto& [first, second] : near) {
+        near_[first].push_back(second);
+        near_[second].push_back(first);
+    }
+}
+
+// Whether any third block near these two matches. Two fixed blocks are not listed, but one of these two is free.
+template <class Matches>
+bool BlocksBetween::any_near(std::size_t block, std::size_t other, const Matches& matches) const {
+    return std::ranges::any_of(near_[bodies_.fixed[block] != 0 ? other : block],
+                               [&](std::size_t third) { return third != block && third != other && matches(third); });
+}
+
+bool BlocksBetween::part(const SharedFace& face) const {
+    constexpr double thin = 2;            // joint openings
+    constexpr double much_of_face = 0.1;  // neighbours at its ends reach in by rounding
+    const auto [at_start, at_end] = opening_in_drawing(bodies_, face);
+    const double opening = std::max(at_start, at_end);
+    if (opening <= least_gap(bodies_, face.block, face.other)) {
+        return false;
+    }
+    const PlanePoint<> normal = bodies_.normal(face.other_edge);
+    const PlanePoint<> half = face.length / 2 * face.along;
+    const PlanePoint<> start = face.other_arm - half + at_start / 2 * normal;
+    const PlanePoint<> end = face.other_arm + half + at_end / 2 * normal;
+    return any_near(face.block, face.other, [&](std::size_t third) {
+        const PlanePoint<> away = bodies_.centroid[face.other] - bodies_.centroid[third];
+        const double share = share_inside(third, away + start, away + end);
+        const bool is_thin = extent_along(bodies_, third, normal) <= thin * opening;
+        return share > much_of_face || (is_thin && share * face.length > bodies_.shortest_edge[third] / 2);
+    });
+}
+
+bool BlocksBetween::part(std::size_t corner, std::size_t other_edge, double gap) const {
+    const std::size_t block = bodies_.block_of[corner];
+    const std::size_t other = bodies_.block_of[other_edge];
+    if (gap <= least_gap(bodies_, block, other)) {
+        return false;
+    }
+    const PlanePoint<> between =
+        bodies_.centroid[block] + bodies_.corner[corner] - gap / 2 * bodies_.normal(other_edge);
+    return any_near(block, other, [&](std::size_t third) {
+        const PlanePoint<> at = between - bodies_.centroid[third];
+        return share_inside(third, at, at) > 0;
+    });
+}
+
+// The share of the way between two points about the third block's centroid that lies inside it; 1 or 0 for one point.
+double BlocksBetween::share_inside(std::size_t third, const PlanePoint<>& from, const PlanePoint<>& to) const {
+    double begin = 0;
+    double end = 1;
+    for (std::size_t edge = bodies_.range[third].begin; edge < bodies_.range[third].end; ++edge) {
+        const double outside_from = bodies_.normal(edge).dot(from - bodies_.corner[edge]);
+        const double outside_to = bodies_.normal(edge).dot(to - bodies_.corner[edge]);
+        if (outside_from > 0 && outside_to > 0) {
+            return 0;
+        }
+        const double crossing = outside_from / (outside_from - outside_to);
+        begin = outside_from > 0 ? std::max(begin, crossing) : begin;
+        end = outside_to > 0 ? std::min(end, crossing) : end;
+    }
+    return std::max(end - begin, 0.0);
+}
+
 std::vector<SharedFace> find_shared_faces(const Bodies& bodies, double opening) {
     std::vector<SharedFace> faces;
-    for (const auto& [first, second] : touching_blocks(bodies, opening)) {
+    const std::vector<BlockPair> pairs = touching_blocks(bodies, opening);
+    for (const auto& [first, second] : pairs) {
         std::ranges::copy(faces_between(bodies, first, second, opening), std::back_inserter(faces));
     }
+    const BlocksBetween between(bodies, pairs);
+    std::erase_if(faces, [&](const SharedFace& face) { return between.part(face); });
     return faces;
 }
 

@@ -49,7 +49,29 @@ std::array<double, 2> opening_in_drawing(const Bodies& bodies, const SharedFace&
 // Pairs of blocks, not both fixed, that may touch in the initial geometry, in increasing order.
 std::vector<BlockPair> touching_blocks(const Bodies& bodies, double opening = closed_joint);
 
-// The shared faces of these pairs, in the same order.
+// Finds third blocks between two blocks, such as the filling of a seam that is thinner than the opening of a closed
+// joint: the two do not touch there.
+class BlocksBetween {
+  public:
+    // `near`: of touching_blocks.
+    BlocksBetween(const Bodies& bodies, const std::vector<BlockPair>& near);
+
+    // Whether a third block lies between the two along more than a tenth of their face or, if it is as thin as the
+    // joint is open, anywhere along it.
+    bool part(const SharedFace& face) const;
+    // Whether a third block lies between a corner of a block and the edge of another that is `gap` below it, m.
+    bool part(std::size_t corner, std::size_t other_edge, double gap) const;
+
+  private:
+    template <class Matches>
+    bool any_near(std::size_t block, std::size_t other, const Matches& matches) const;
+    double share_inside(std::size_t third, const PlanePoint<>& from, const PlanePoint<>& to) const;
+
+    const Bodies& bodies_;
+    std::vector<std::vector<std::uint32_t>> near_;  // of each block, the blocks near it
+};
+
+// The shared faces of these pairs between which no third block lies, in the same order.
 std::vector<SharedFace> find_shared_faces(const Bodies& bodies, double opening = closed_joint);
 
 // Position of the block's face relative to the other block, whose face carries the axes.

@@ -140,10 +140,9 @@ BondState state_under(const Bond& bond, const BondLoading& loading) {
 ForceOnCorner advance_bond(const Bond& bond, BondMemory& memory, const Motion& block, const Motion& other,
                            double step) {
     const FacePosition at = locate(bond.face, block, other);
-    const double velocity_x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
-    const double velocity_y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);
-    const double opening = at.normal_x * velocity_x + at.normal_y * velocity_y;
-    const double shearing = at.along_x() * velocity_x + at.along_y() * velocity_y;
+    const ContactVelocity<double> velocity = velocity_of<double>(at, block, other);
+    const double opening = velocity.opening;
+    const double shearing = velocity.shearing;
     const double bending = block.spin - other.spin;
     const auto account = [&] {
         memory.damping -=
@@ -356,9 +355,15 @@ void Bonds::sum() {
     }
 }
 
-double Bonds::elastic_energy(std::size_t bond, const std::vector<Motion>& motion) const {
-    const SharedFace& face = bond_[bond].face;
-    return delabole::elastic_energy(bond_[bond], locate(face, motion[face.block], motion[face.other]));
+double Bonds::elastic_energy(std::size_t index, const std::vector<Motion>& motion, double ago) const {
+    const Bond& bond = bond_[index];
+    const Motion& block = motion[bond.face.block];
+    const Motion& other = motion[bond.face.other];
+    const FacePosition at = locate(bond.face, block, other);
+    const auto [opening, shearing] = velocity_of<double>(at, block, other);
+    return delabole::elastic_energy(bond, at) -
+           ago * (bond.normal_stiffness * at.opening * opening + bond.shear_stiffness * at.slide * shearing +
+                  bond.bending_stiffness * at.turn * (block.spin - other.spin));
 }
 
 double Bonds::elastic_energy(const std::vector<Motion>& motion, const std::vector<BondMemory>& memory) const {
@@ -371,7 +376,8 @@ double Bonds::elastic_energy(const std::vector<Motion>& motion, const std::vecto
     return sum;
 }
 
-std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion, std::vector<BondMemory>& memory) {
+std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion, double time,
+                                              std::vector<BondMemory>& memory) {
     std::vector<std::size_t> changed;
     std::optional<std::size_t> worst;
     double most = 1;
@@ -397,6 +403,9 @@ std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion,
         memory[*worst].state = state_under(bond, loading_of(bond, at));
         changed.push_back(*worst);
     }
+    for (const std::size_t index : changed) {
+        memory[index].time = time;
+    }
     shift_outlines(changed, motion, memory);
     return changed;
 }
@@ -405,7 +414,7 @@ std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion,
 // the state that they would have had without the bond. Contacts of rock share the shear force of the bond in proportion
 // to their compression.
 double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
-                 ContactList& list) {
+                 ContactList& list, double ago) {
     const SharedFace& face = bond.face;
     const bool keeps_cohesion = bond.of_joint && state != BondState::broken_in_shear;
     struct Taker {
@@ -446,7 +455,11 @@ double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const 
         const double slide =
             bond.of_joint ? at.slide : -held_by_rock * taker.pressing / (pressed * law.shear_stiffness);
         memory.shear = memory.touching ? std::clamp(slide, -most, most) : 0;
-        held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);
+        const auto [opening, shearing] =
+            velocity_of<double>(at, motion[contact.block], motion[contact.other]);
+        const double power = law.shear_stiffness * memory.shear * shearing - taker.pressing * opening;
+        held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]) -
+                (memory.touching ? ago * taker.weight * power : 0);
         list.memory.set(taker.contact, memory);
     }
     return held;

@@ -135,12 +135,14 @@ class Bonds {
     // Forces of the last call of stretch; must not be called for a scene without bonds.
     const std::vector<BlockForce>& on_blocks() const { return force_on_block_; }
 
-    double elastic_energy(std::size_t bond, const std::vector<Motion>& motion) const;
+    // J/m, stored in a bond or, some seconds `ago`, with its present force and velocity.
+    double elastic_energy(std::size_t bond, const std::vector<Motion>& motion, double ago = 0) const;
     // J/m, stored in the bonds that are whole.
     double elastic_energy(const std::vector<Motion>& motion, const std::vector<BondMemory>& memory) const;
     // Breaks whole bonds that are overloaded at rest and returns their numbers: all those that hand over to contacts at
     // once, or else the most overloaded one. The result is empty if all bonds hold.
-    std::vector<std::size_t> break_at_rest(const std::vector<Motion>& motion, std::vector<BondMemory>& memory);
+    std::vector<std::size_t> break_at_rest(const std::vector<Motion>& motion, double time,
+                                           std::vector<BondMemory>& memory);
 
   private:
     void sum();
@@ -162,8 +164,9 @@ class Bonds {
 };
 
 // Contacts along the bond's face that have replaced the bond take over what it carried, as far as they can. `state` is
-// the bond's new state, no longer `whole`. Returns the elastic energy that the contacts then hold, J/m.
+// the bond's new state, no longer `whole`. Returns the elastic energy that the contacts then hold, J/m, or would have
+// held some seconds `ago` with their present forces and velocities.
 double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
-                 ContactList& list);
+                 ContactList& list, double ago = 0);
 
 }  // namespace delabole

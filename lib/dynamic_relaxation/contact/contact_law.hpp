@@ -164,8 +164,9 @@ struct ContactVelocity {
     Number shearing;
 };
 
-template <class Number>
-DELABOLE_INLINED ContactVelocity<Number> velocity_of(const ContactPositionOf<Number>& at, const MotionOf<Number>& block,
+// `at`: of a corner or of the middle of a face.
+template <class Number, class Position>
+DELABOLE_INLINED ContactVelocity<Number> velocity_of(const Position& at, const MotionOf<Number>& block,
                                                      const MotionOf<Number>& other) {
     const Number x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
     const Number y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);

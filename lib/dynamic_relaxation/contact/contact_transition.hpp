@@ -43,6 +43,11 @@ DELABOLE_INLINED Number shear_strength(const JointLawOf<Number>& law, const Numb
                   pressing * law.friction + law.cohesion);
 }
 
+// Whether a contact with this law loses strength where it slips or opens.
+inline bool has_peak(const JointLawOf<double>& law) {
+    return law.cohesion != law.residual_cohesion || law.friction != law.residual_friction;
+}
+
 // Whether a contact slips that would need the shear force `held`, N/m, to stick.
 template <class Number>
 DELABOLE_INLINED MaskOf<Number> slips(const Number& held, const Number& strength) {

@@ -1,9 +1,11 @@
 #include "dynamic_relaxation/statics/face_assembly.hpp"
 
+#include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -21,32 +23,58 @@ struct FaceStrength {
 
 using BlockPairs = std::set<std::pair<std::size_t, std::size_t>>;  // the lesser number first
 
-// Pairs whose joint has lost its peak strength at a corner or, where the strength is spread over the face, as a whole.
-BlockPairs broken_pairs(const RelaxationScene& scene, const JointHistory& history) {
-    BlockPairs broken;
-    for (std::size_t index = 0; index < history.contacts.contact.size(); ++index) {
-        const ContactMemory memory = history.contacts.memory[index];
-        const RelaxationContact contact = history.contacts.contact[index];
-        if (memory.broken) {
-            broken.insert(std::minmax<std::size_t>(contact.block, contact.other));
+// What the history has left of the peak strength of a pair's joint.
+struct StrengthLeft {
+    bool torn = false;     // an end has slipped or opened: no tensile strength
+    bool slipped = false;  // an end that bears has its residual friction
+    double whole = 0;      // N/m, of cohesion above the residual one: of the ends that still have it
+    double lost = 0;       // N/m, of the others
+
+    double share() const { return whole + lost > 0 ? whole / (whole + lost) : torn ? 0 : 1; }
+};
+
+using StrengthsLeft = std::map<std::pair<std::size_t, std::size_t>, StrengthLeft>;  // the lesser number first
+
+// Pairs whose strength is spread over the face as long as it is whole have their contacts after that.
+StrengthsLeft strengths_left(const BlocksUnderLoad& blocks, const JointHistory& history) {
+    StrengthsLeft left;
+    const ContactList& list = history.contacts;
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const ContactMemory memory = list.memory[index];
+        const RelaxationContact contact = list.contact[index];
+        if (!memory.touching && !memory.broken) {
+            continue;
+        }
+        const ContactLaw law = list.law_of(contact);
+        const ContactPosition at = locate(contact, blocks.motion[contact.block], blocks.motion[contact.other]);
+        StrengthLeft& of_pair = left[std::minmax<std::size_t>(contact.block, contact.other)];
+        of_pair.torn |= memory.broken;
+        of_pair.slipped |= memory.broken && memory.touching;
+        (memory.broken ? of_pair.lost : of_pair.whole) +=
+            contact_weight(law, contact, at, memory.insists) * (law.cohesion - law.residual_cohesion);
+    }
+    for (std::size_t index = 0; index < blocks.scene.bond.size(); ++index) {
+        const FaceBond& bond = blocks.scene.bond[index];
+        if (!bond.material && history.bond[index].state != BondState::whole) {
+            left[std::minmax(bond.block, bond.other)].torn = true;
         }
     }
-    for (std::size_t index = 0; index < scene.bond.size(); ++index) {
-        if (!scene.bond[index].material && history.bond[index].state != BondState::whole) {
-            broken.insert(std::minmax(scene.bond[index].block, scene.bond[index].other));
-        }
-    }
-    return broken;
+    return left;
 }
 
 // The strength of a bonded joint is that of the joint or of the rock, whichever is greater, not their sum.
 FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, const JointHistory* history,
-                         const BlockPairs& broken) {
+                         const StrengthsLeft& left) {
     const RelaxationScene& scene = blocks.scene;
     const JointMaterial& joint = scene.material[weaker_joint(scene, blocks.bodies, face.edge, face.other_edge)];
     FaceStrength strength{joint.friction_angle, joint.cohesion, joint.tensile_strength};
-    if (broken.contains(std::minmax<std::size_t>(face.block, face.other))) {
-        strength = {joint.residual_friction_angle.value_or(joint.friction_angle), joint.residual_cohesion, 0};
+    if (const auto found = left.find(std::minmax<std::size_t>(face.block, face.other)); found != left.end()) {
+        const StrengthLeft& of_pair = found->second;
+        strength.cohesion = joint.residual_cohesion + of_pair.share() * (joint.cohesion - joint.residual_cohesion);
+        strength.tensile_strength = of_pair.torn ? 0 : joint.tensile_strength;
+        if (of_pair.slipped) {
+            strength.friction_angle = joint.residual_friction_angle.value_or(joint.friction_angle);
+        }
     }
     for (std::size_t index = 0; index < scene.bond.size(); ++index) {
         const FaceBond& bond = scene.bond[index];
@@ -120,7 +148,7 @@ double half_of_point(const Bodies& bodies, std::size_t block, std::size_t other)
 }
 
 void add_tips(const BlocksUnderLoad& blocks, std::size_t block, std::size_t other, const std::vector<std::size_t>& body,
-              Assembly& assembly) {
+              const BlocksBetween& between, Assembly& assembly) {
     const Bodies& bodies = blocks.bodies;
     const double tolerance = opening_of_closed_joint(bodies, block, other);
     const auto friction_on = [&](std::size_t edge) {
@@ -140,7 +168,8 @@ void add_tips(const BlocksUnderLoad& blocks, std::size_t block, std::size_t othe
         for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
             const PlanePoint<> point = bodies.centroid[block] + bodies.corner[corner];
             const double place = along.dot(point - start);
-            if (std::abs(bodies.normal(edge).dot(point - start)) <= tolerance && place > first && place < last) {
+            const double gap = bodies.normal(edge).dot(point - start);
+            if (std::abs(gap) <= tolerance && place > first && place < last && !between.part(corner, edge, gap)) {
                 const double one = friction_on(corner);
                 const double two = friction_on(bodies.range[block].before(corner));
                 double friction = std::min(std::max(one, two), friction_on(edge));
@@ -161,7 +190,7 @@ void add_tips(const BlocksUnderLoad& blocks, std::size_t block, std::size_t othe
 
 FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces,
                            const JointHistory* history) {
-    const BlockPairs broken = history == nullptr ? BlockPairs() : broken_pairs(blocks.scene, *history);
+    const StrengthsLeft left = history == nullptr ? StrengthsLeft() : strengths_left(blocks, *history);
     const Bodies& bodies = blocks.bodies;
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
     FaceAssembly made;
@@ -182,7 +211,7 @@ FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<Shar
         const FacePosition at = locate(face, blocks.motion[face.block], blocks.motion[face.other]);
         const PlanePoint<> middle = centroid_of(blocks, face.block) + PlanePoint<>(at.arm_x, at.arm_y);
         const PlanePoint<> half = face.length / 2 * PlanePoint<>(at.along_x(), at.along_y());
-        add_face(body[face.block], body[face.other], middle, half, strength_of(blocks, face, history, broken),
+        add_face(body[face.block], body[face.other], middle, half, strength_of(blocks, face, history, left),
                  made.assembly);
     }
     return made;
@@ -217,11 +246,13 @@ void add_tips_on_edges(const BlocksUnderLoad& blocks, const std::vector<SharedFa
         facing.insert(std::minmax<std::size_t>(face.block, face.other));
     }
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
-    for (const auto& [first, second] : touching_blocks(blocks.bodies)) {
+    const std::vector<BlockPair> touching = touching_blocks(blocks.bodies);
+    const BlocksBetween between(blocks.bodies, touching);
+    for (const auto& [first, second] : touching) {
         if (both_there(blocks, first, second) && !has_moved(blocks, first) && !has_moved(blocks, second) &&
             !facing.contains(std::minmax<std::size_t>(first, second))) {
-            add_tips(blocks, first, second, body, made.assembly);
-            add_tips(blocks, second, first, body, made.assembly);
+            add_tips(blocks, first, second, body, between, made.assembly);
+            add_tips(blocks, second, first, body, between, made.assembly);
         }
     }
 }

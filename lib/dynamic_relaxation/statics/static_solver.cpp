@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/statics/static_solver.hpp"
 
 #include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/contact/contact_transition.hpp"
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 #include "dynamic_relaxation/statics/local_balance.hpp"
 
@@ -108,8 +109,7 @@ class StaticSolver {
             const RelaxationContact contact = list.contact[index];
             const ContactLaw law = list.law_of(contact);
             ContactMemory memory = list.memory[index];
-            if (!memory.touching || memory.broken ||
-                (law.cohesion == law.residual_cohesion && law.friction == law.residual_friction)) {
+            if (!memory.touching || memory.broken || !has_peak(law)) {
                 continue;
             }
             const double overlap = -locate(contact, motion[contact.block], motion[contact.other]).gap;

@@ -255,7 +255,8 @@ void Simulation::break_bonds() {
     }
     just_broken_ = bonds_.stretch(state_.motion, state_.last_step, state_.time, state_.bond);
     for (const std::size_t bond : just_broken_) {
-        state_.energy_balance.bonds += bonds_.elastic_energy(bond, state_.motion);
+        // Velocities, and with them kinetic energy, are those of half a step ago.
+        state_.energy_balance.bonds += bonds_.elastic_energy(bond, state_.motion, state_.last_step / 2);
         check_contacts_of(bonds_.list()[bond].face.block);
         check_contacts_of(bonds_.list()[bond].face.other);
     }
@@ -311,7 +312,8 @@ bool Simulation::check_contacts() {
     }
     for (const std::size_t bond : std::exchange(just_broken_, {})) {
         state_.energy_balance.bonds -=
-            hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion, state_.contacts);
+            hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion, state_.contacts,
+                      state_.last_step / 2);
     }
     if (contact_watch_.list_changed()) {
         contact_forces_.renew();

@@ -1,4 +1,6 @@
 // The static start of a run, runs that begin from a state at rest, and blocks that are absent at the start.
+#include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/contact/contact_transition.hpp"
 #include "dynamic_relaxation/statics/static_solver.hpp"
 #include "dynamic_relaxation/step/bolt_forces.hpp"
 #include "dynamic_relaxation/step/loads.hpp"
@@ -25,6 +27,21 @@ BondMemory with_no_energy_yet(BondMemory memory) {
     memory.damping = 0;
     memory.normal_drag = memory.shear_drag = memory.bending_drag = 0;
     return memory;
+}
+
+// Joints lose their peak strength where they are open at rest, as they do in motion.
+void lose_strength_where_open(const Bodies& bodies, const std::vector<Motion>& motion, ContactList& list) {
+    constexpr double rounding = 1e-9;  // of the shortest edge
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        ContactMemory memory = list.memory[index];
+        const RelaxationContact contact = list.contact[index];
+        if (memory.touching || memory.beneath || memory.broken || !has_peak(list.law_of(contact))) {
+            continue;
+        }
+        const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
+        memory.broken = locate(contact, motion[contact.block], motion[contact.other]).gap > rounding * shortest;
+        list.memory.set(index, memory);
+    }
 }
 
 }  // namespace
@@ -182,8 +199,9 @@ bool Simulation::solve_under(double load_share, bool first, std::span<const Held
             return false;
         }
         creeping.reset();
-        just_broken_ = bonds_.break_at_rest(state_.motion, state_.bond);
+        just_broken_ = bonds_.break_at_rest(state_.motion, state_.time, state_.bond);
         if (just_broken_.empty()) {
+            lose_strength_where_open(bodies_, state_.motion, state_.contacts);
             return true;
         }
     }

@@ -20,11 +20,11 @@ namespace delabole {
 
 enum class LoadingPath {
     // The blocks come to rest in the case as given, stages of excavation included: at its own strengths or weight, or,
-    // where it does not stand or comes to no rest in 100 000 steps, at the greatest of 1/2, 1/4, ... of the factor and
-    // the lower bound at which it does; in searches for an angle, at the bound at which they should stand. Each value
-    // tried is a sudden change from that one state, in which springs, slip and broken contacts are kept. Static
-    // equilibrium is sought first, without inertia;
-    // the run follows. Not with a record of shaking, which would be over before the first value is tried.
+    // where it does not stand or, without stages, comes to no rest in 100 000 steps, at the greatest of 1/2, 1/4, ...
+    // of the factor and the lower bound at which it does; in searches for an angle, at the bound at which they should
+    // stand. Each value tried is a sudden change from that one state, in which springs, slip and broken contacts are
+    // kept. Static equilibrium is sought first, without inertia; the run follows. Not with a record of shaking, which
+    // would be over before the first value is tried.
     consolidated,
     preloaded,  // each value from the initial geometry: springs free, all loads at once, without inertia; then the run
     gravity,    // as preloaded, but weight, water and forces grow in ten equal steps, or in time if settings.start =

@@ -33,8 +33,8 @@ std::optional<RelaxationState> failed_at_rest(const Simulation& simulation, Init
                                               const RelaxationState* begun_at = nullptr);
 
 // Whether statics alone shows that blocks fail on every path: the second reason above, where nothing that they may come
-// to rest on could hold them. A run is not needed for that verdict. False if it is not known. Time: that of
-// `mechanism_of_statics`.
+// to rest on could hold them. A run is not needed for that verdict. False if it is not known, as with stages of
+// excavation. Time: that of `mechanism_of_statics`.
 bool fails_by_statics(const RelaxationScene& scene, const RelaxationSettings& settings, InitialContact contact);
 
 // The result of such a run: energies and forces are those at rest, movements those of the failed state.

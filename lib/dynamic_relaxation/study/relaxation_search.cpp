@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -224,7 +225,7 @@ class PathSearch {
         const bool may_be_cut = last_scheduled_time(scene_, settings_) <= 0;
         const std::vector<double> values = consolidation_values();
         const std::size_t given = settings_.most_steps;
-        bool any_undecided = false;
+        std::optional<CriticalValue> undecided;  // the first
         for (const double at : values) {
             settings_.most_steps = may_be_cut && at != values.back() ? std::min(given, long_enough) : given;
             const CriticalProbe probe = probe_at(at, Needed::verdict);
@@ -239,9 +240,11 @@ class PathSearch {
             if (value.status == CriticalStatus::interrupted || value.status == CriticalStatus::not_valid) {
                 return false;
             }
-            any_undecided |= value.status == CriticalStatus::undecided;
+            if (value.status == CriticalStatus::undecided && !undecided) {
+                undecided = value;
+            }
         }
-        value.status = any_undecided ? CriticalStatus::undecided : value.status;
+        static_cast<CriticalValue&>(value) = undecided.value_or(value);
         return false;
     }
 

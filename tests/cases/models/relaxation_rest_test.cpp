@@ -220,9 +220,12 @@ tolerance = 0.001
 }
 
 // A plate of 2 mm in front of a block on a plane of 40 deg is taken away: the block slides as far and leans on a stop.
-// Statics finds no forces that hold it as drawn, but those at the stop hold it.
+// Statics finds no forces that hold it as drawn, but those at the stop hold it. Where the plate is wider than the
+// threshold of onset allows, the block has failed.
 TEST(RelaxationRest, ABlockThatClosesTheGapOfAStageStands) {
-    const Analysis found = analysis_of_text(R"(schema = 1
+    const auto without_plate = [](double width) {
+        const auto at = [&](double share) { return "\"" + std::to_string(-share * width) + " m\""; };
+        return analysis_of_text(R"(schema = 1
 model = "relaxation"
 [scene]
 kind = "jointed_slope"
@@ -234,21 +237,28 @@ rock = [{ name = "rock", density = "2650 kg/m3" }]
 joint = [{ name = "joint", friction_angle = "30 deg" }]
 cut = [
     { name = "plane", joint = "joint", trace = { kind = "line", vertex = [{ x = "-3 m", y = "0 m" }, { x = "5 m", y = "0 m" }] } },
-    { name = "stop", joint = "joint", trace = { kind = "line", vertex = [{ x = "-0.002 m", y = "0 m" }, { x = "-0.002 m", y = "2 m" }] } },
+    { name = "stop", joint = "joint", trace = { kind = "line", vertex = [{ x = )" +
+                                at(1) + R"(, y = "0 m" }, { x = )" + at(1) + R"(, y = "2 m" }] } },
     { name = "plate", joint = "joint", trace = { kind = "line", vertex = [{ x = "0 m", y = "0 m" }, { x = "0 m", y = "2 m" }] } },
     { name = "back", joint = "joint", trace = { kind = "line", vertex = [{ x = "1 m", y = "0 m" }, { x = "1 m", y = "2 m" }] } },
 ]
 [[scene.fixed]]
 vertex = [{ x = "-3 m", y = "-2 m" }, { x = "5 m", y = "-2 m" }, { x = "5 m", y = "-0.01 m" }, { x = "-3 m", y = "-0.01 m" }]
 [[scene.fixed]]
-vertex = [{ x = "-3 m", y = "0.01 m" }, { x = "-0.01 m", y = "0.01 m" }, { x = "-0.01 m", y = "2 m" }, { x = "-3 m", y = "2 m" }]
+vertex = [{ x = "-3 m", y = "0.01 m" }, { x = "-1.5 m", y = "0.01 m" }, { x = "-1.5 m", y = "2 m" }, { x = "-3 m", y = "2 m" }]
 [[scene.stage]]
 time = "0.05 s"
-vertex = [{ x = "-0.0015 m", y = "0.01 m" }, { x = "-0.0005 m", y = "0.01 m" }, { x = "-0.0005 m", y = "2 m" }, { x = "-0.0015 m", y = "2 m" }]
+vertex = [{ x = )" + at(0.75) + R"(, y = "0.01 m" }, { x = )" +
+                                at(0.25) + R"(, y = "0.01 m" }, { x = )" + at(0.25) + R"(, y = "2 m" }, { x = )" +
+                                at(0.75) + R"(, y = "2 m" }]
 [settings]
 stop = "onset"
 )");
-    EXPECT_EQ(std::get<std::string>(output_at_rest(found, "outcome")), "equilibrium");
+    };
+    const Analysis closed = without_plate(0.002);
+    EXPECT_EQ(std::get<std::string>(output_at_rest(closed, "outcome")), "equilibrium");
+    EXPECT_NEAR(std::get<double>(output_at_rest(closed, "block[3].displacement")), 0.002, 1e-5) << "soft joints";
+    EXPECT_EQ(std::get<std::string>(output_at_rest(without_plate(0.1), "outcome")), "onset");
 }
 
 TEST(RelaxationRest, ASearchSaysOnlyWhatItFound) {

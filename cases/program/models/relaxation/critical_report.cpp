@@ -55,7 +55,11 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
         return "the blocks fail" + std::string(value.held_by_corners ? ", or are held by corners alone," : "") +
                " even at " + last + less;
     case CriticalStatus::undecided:
-        return "at " + last + " the blocks neither came to rest nor failed within settings.duration: raise it" + known;
+        return "at " + last + " the blocks neither came to rest nor failed" +
+               (value.path == LoadingPath::consolidated && !value.consolidated_at
+                    ? ", so that there is no state at rest from which to begin"
+                    : " within settings.duration: raise it") +
+               known;
     case CriticalStatus::run_failed:
         return "the run at " + last +
                " was stopped: an overlap passed settings.overlap_limit, or its energy did not balance" + known;

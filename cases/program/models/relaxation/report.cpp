@@ -168,16 +168,9 @@ void append_warning_of_open_joints(const RelaxationScene& scene, Analysis& analy
             !(opening > opening_of_closed_joint(bodies, face.block, face.other))) {
             continue;
         }
-        // Amid the joint, between the middle of the face and its wider end.
-        const PlanePoint<> between =
-            bodies.centroid[face.other] + face.other_arm +
-            std::copysign(face.length / 4, at_end - at_start) * face.along +
-            (3 * opening + std::min(at_start, at_end)) / 8 * PlanePoint<>(face.along.y(), -face.along.x());
-        if (std::ranges::none_of(scene.block, [&](const auto& block) { return inside(block.outline, between); })) {
-            ++open;
-            blocks = opening > widest ? std::pair<std::size_t, std::size_t>(face.block, face.other) : blocks;
-            widest = std::max(widest, opening);
-        }
+        ++open;
+        blocks = opening > widest ? std::pair<std::size_t, std::size_t>(face.block, face.other) : blocks;
+        widest = std::max(widest, opening);
     }
     if (open > 0) {
         analysis.warnings.push_back(

@@ -1,7 +1,9 @@
 // Factors of safety of slopes whose weakest joint, or whose motion, is easily missed.
+#include "dynamic_relaxation/study/failed_at_rest.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
 
+#include "tests/lib/dynamic_relaxation/relaxation_scenes.hpp"
 #include "tests/support/jointed_slopes.hpp"
 
 #include <gtest/gtest.h>
@@ -37,6 +39,36 @@ RelaxationStudy two_joints(std::vector<SlopeCut> cuts, double sliver_share = Slo
 SlopeCut plane(const std::string& joint, double dip, double height) {
     const double rise = 30 * std::tan(degrees(dip));
     return {joint, joint, testing::line({{-30, height - rise}, {30, height + rise}})};
+}
+
+// The walls of a seam of 0.5 mm, of 40 deg of friction, are nearer to each other than a closed joint may be drawn open.
+TEST(WeakestJoint, TheWallsOfAThinSeamDoNotTouch) {
+    using namespace relaxation_scenes;
+    for (const int pieces : {1, 3}) {
+        constexpr double seam = 0.0005;
+        RelaxationScene scene;
+        scene.block = {{rectangle(0, seam, 1, 0.5), density}, fixed_block(rectangle(-3, -1, 7, 1))};
+        for (int piece = 0; piece < pieces; ++piece) {
+            scene.block.push_back({rectangle(1.0 * piece / pieces, 0, 1.0 / pieces, seam), density});
+            scene.block.back().joint = {1, 1, 1, 1};
+        }
+        scene.material = {joint(1e6 * density * gravity, degrees(40)), joint(1e6 * density * gravity, degrees(10))};
+        const auto at = [&](double tilt) {
+            scene.gravity.tilt = scene.gravity.final_tilt = degrees(tilt);
+            return scene;
+        };
+        const double expected = std::tan(degrees(10)) / std::tan(degrees(15));
+        EXPECT_NEAR(*greatest_strength_reduction(at(15)), expected, 1e-4)
+            << "accuracy of the bound, and the lost edges";
+        for (const double tilt : {9.9, 10.1}) {
+            Simulation run(at(tilt), until_onset());
+            while (run.running()) {
+                run.step();
+            }
+            const bool failed = run.outcome() == RelaxationOutcome::onset || failed_at_rest(run, InitialContact::drawn);
+            EXPECT_EQ(failed, tilt > 10) << pieces;
+        }
+    }
 }
 
 // All above the weak plane slides on it, whatever is cut beside it, and in whatever order.
