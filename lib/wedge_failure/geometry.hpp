@@ -19,13 +19,11 @@
 //
 // Accuracy: relative errors of a few rounding errors divided by the sines of the angles between the planes that meet in
 // a corner, and by the remaining share of the trace if the crack is near its end.
-//
-// Templates over the scalar: double, and 50-digit numbers in tests.
 #pragma once
 
+#include "kinematics/orientation.hpp"
 #include "wedge_failure/parameters.hpp"
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -46,120 +44,84 @@ enum class WedgeFailureCheck {
     input_out_of_range,               // a number outside the range of its field, or not finite
 };
 
-template <class T>
-using Vector3 = Eigen::Matrix<T, 3, 1>;
-
-// The upward normal of a plane with dip d (above 90 deg: overturned) and dip direction a.
-template <class T>
-Vector3<T> normal_of(const T& dip, const T& dip_direction) {
-    using std::cos;
-    using std::sin;
-    return {T(sin(dip) * sin(dip_direction)), T(sin(dip) * cos(dip_direction)), T(cos(dip))};
-}
-
-// Unit vector of this plunge and trend.
-template <class T>
-Vector3<T> direction_along(const T& plunge, const T& trend) {
-    using std::cos;
-    using std::sin;
-    return {T(cos(plunge) * sin(trend)), T(cos(plunge) * cos(trend)), T(-sin(plunge))};
-}
-
-template <class T>
-T length_of(const Vector3<T>& vector) {
-    using std::sqrt;
-    return T(sqrt(T(vector.dot(vector))));
-}
-
-template <class T>
 struct WedgeGeometry {
-    Vector3<T> line;     // unit vector down the line of intersection
-    Vector3<T> inner_1;  // unit normals of the planes, into the wedge
-    Vector3<T> inner_2;
-    Vector3<T> crack_normal;  // unit normal of the crack, out of the wedge; zero without a crack
-    Vector3<T> crest_1;       // C1
-    Vector3<T> crest_2;       // C2
-    Vector3<T> line_top;      // L
-    Vector3<T> line_end;      // E, and the corners of the crack on the upper surface
-    Vector3<T> crack_1;       // P1
-    Vector3<T> crack_2;       // P2
-    T volume;
-    T area_1;
-    T area_2;
-    T crack_area;
-    T crack_depth;  // vertical depth of E below the upper surface; 0 without a crack
+    Direction line;     // unit vector down the line of intersection
+    Direction inner_1;  // unit normals of the planes, into the wedge
+    Direction inner_2;
+    Direction crack_normal;  // unit normal of the crack, out of the wedge; zero without a crack
+    Direction crest_1;       // C1
+    Direction crest_2;       // C2
+    Direction line_top;      // L
+    Direction line_end;      // E, and the corners of the crack on the upper surface
+    Direction crack_1;       // P1
+    Direction crack_2;       // P2
+    double volume;
+    double area_1;
+    double area_2;
+    double crack_area;
+    double crack_depth;  // vertical depth of E below the upper surface; 0 without a crack
 };
 
 namespace detail {
 
-template <class T>
-Vector3<T> unit(const Vector3<T>& vector) {
-    return vector / length_of(vector);
+inline double triangle_area(const Direction& a, const Direction& b) {
+    return a.cross(b).norm() / 2;
 }
 
-template <class T>
-T triangle_area(const Vector3<T>& a, const Vector3<T>& b) {
-    return length_of(Vector3<T>(a.cross(b))) / 2;
+inline double six_volumes(const Direction& a, const Direction& b, const Direction& c) {
+    return std::abs(a.dot(b.cross(c)));
 }
 
-template <class T>
-T six_volumes(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c) {
-    const T product = a.dot(b.cross(c));
-    return product < 0 ? T(-product) : product;
-}
-
-template <class T>
-WedgeFailureCheck cut_by_crack(const WedgeCrack<T>& crack, WedgeGeometry<T>& wedge) {
-    const Vector3<T> trace = wedge.line_top - wedge.crest_1;
-    const T trace_length = length_of(trace);
+inline WedgeFailureCheck cut_by_crack(const WedgeCrack& crack, WedgeGeometry& wedge) {
+    const Direction trace = wedge.line_top - wedge.crest_1;
+    const double trace_length = trace.norm();
     if (!(crack.distance < trace_length)) {
         return WedgeFailureCheck::crack_misses_wedge;
     }
-    const Vector3<T> on_crack = wedge.crest_1 + T(crack.distance / trace_length) * trace;
-    Vector3<T> normal = normal_of(crack.dip, crack.dip_direction);
+    const Direction on_crack = wedge.crest_1 + crack.distance / trace_length * trace;
+    Direction normal = upward_normal({crack.dip, crack.dip_direction});
     if (normal.dot(on_crack) < 0) {
         normal = -normal;
     }
-    const T reach = normal.dot(on_crack);
-    const T behind = normal.dot(wedge.line_top) - reach;
+    const double reach = normal.dot(on_crack);
+    const double behind = normal.dot(wedge.line_top) - reach;
     if (!(reach > 0) || !(behind > 0)) {
         return WedgeFailureCheck::crack_misses_wedge;
     }
-    const T before = reach - normal.dot(wedge.crest_2);
+    const double before = reach - normal.dot(wedge.crest_2);
     if (before < 0) {
         return WedgeFailureCheck::crack_cuts_face;
     }
     wedge.crack_normal = normal;
-    wedge.line_end = T(reach / (reach + behind)) * wedge.line_top;
+    wedge.line_end = reach / (reach + behind) * wedge.line_top;
     wedge.crack_1 = on_crack;
-    wedge.crack_2 = wedge.crest_2 + T(before / (before + behind)) * (wedge.line_top - wedge.crest_2);
+    wedge.crack_2 = wedge.crest_2 + before / (before + behind) * (wedge.line_top - wedge.crest_2);
     return WedgeFailureCheck::valid;
 }
 
 }  // namespace detail
 
 // `wedge` is complete if the result is valid.
-template <class T>
-WedgeFailureCheck make_geometry(const WedgeFailure<T>& problem, WedgeGeometry<T>& wedge) {
-    const WedgeSlope<T>& slope = problem.slope;
-    const Vector3<T> face = normal_of(slope.face_dip, slope.face_dip_direction);
-    const Vector3<T> upper = normal_of(slope.upper_surface_dip, slope.upper_surface_dip_direction);
-    const Vector3<T> normal_1 = normal_of(problem.plane_1.dip, problem.plane_1.dip_direction);
-    const Vector3<T> normal_2 = normal_of(problem.plane_2.dip, problem.plane_2.dip_direction);
+inline WedgeFailureCheck make_geometry(const WedgeFailure& problem, WedgeGeometry& wedge) {
+    const WedgeSlope& slope = problem.slope;
+    const Direction face = upward_normal({slope.face_dip, slope.face_dip_direction});
+    const Direction upper = upward_normal({slope.upper_surface_dip, slope.upper_surface_dip_direction});
+    const Direction normal_1 = upward_normal({problem.plane_1.dip, problem.plane_1.dip_direction});
+    const Direction normal_2 = upward_normal({problem.plane_2.dip, problem.plane_2.dip_direction});
     // Directions are accurate to a few rounding errors, which must not let a line in the face daylight.
     constexpr double direction_rounding = 1e-12;
     constexpr double least_angle = 1e-9;
 
-    const Vector3<T> axis = normal_1.cross(normal_2);
-    if (!(length_of(axis) > least_angle)) {
+    const Direction axis = normal_1.cross(normal_2);
+    if (!(axis.norm() > least_angle)) {
         return WedgeFailureCheck::planes_parallel;
     }
-    wedge.line = detail::unit(axis);
+    wedge.line = axis / axis.norm();
     if (wedge.line.z() > 0) {
         wedge.line = -wedge.line;
     }
-    const T out_of_face = wedge.line.dot(face);
-    const T out_of_upper = wedge.line.dot(upper);
+    const double out_of_face = wedge.line.dot(face);
+    const double out_of_upper = wedge.line.dot(upper);
     if (!(wedge.line.z() < -direction_rounding) || !(out_of_face > direction_rounding)) {
         return WedgeFailureCheck::line_does_not_daylight;
     }
@@ -169,13 +131,13 @@ WedgeFailureCheck make_geometry(const WedgeFailure<T>& problem, WedgeGeometry<T>
     if (!(upper.z() > upper.dot(face) * face.z())) {
         return WedgeFailureCheck::upper_surface_steeper_than_face;
     }
-    const Vector3<T> m = face / out_of_face - upper / out_of_upper;
-    wedge.inner_1 = m.cross(normal_2).dot(axis) < 0 ? Vector3<T>(-normal_1) : normal_1;
-    wedge.inner_2 = normal_1.cross(m).dot(axis) < 0 ? Vector3<T>(-normal_2) : normal_2;
+    const Direction m = face / out_of_face - upper / out_of_upper;
+    wedge.inner_1 = m.cross(normal_2).dot(axis) < 0 ? Direction(-normal_1) : normal_1;
+    wedge.inner_2 = normal_1.cross(m).dot(axis) < 0 ? Direction(-normal_2) : normal_2;
 
     // The traces of the planes on the face point away from O, each to the inner side of the other plane.
-    Vector3<T> trace_1 = normal_1.cross(face);
-    Vector3<T> trace_2 = normal_2.cross(face);
+    Direction trace_1 = normal_1.cross(face);
+    Direction trace_2 = normal_2.cross(face);
     if (wedge.inner_2.dot(trace_1) < 0) {
         trace_1 = -trace_1;
     }
@@ -185,15 +147,15 @@ WedgeFailureCheck make_geometry(const WedgeFailure<T>& problem, WedgeGeometry<T>
     if (!(trace_1.z() > direction_rounding)) {
         return WedgeFailureCheck::crest_below_daylight;
     }
-    wedge.crest_1 = T(slope.height / trace_1.z()) * trace_1;
-    const T upper_level = upper.dot(wedge.crest_1);
-    const T rise_2 = upper.dot(trace_2);
+    wedge.crest_1 = slope.height / trace_1.z() * trace_1;
+    const double upper_level = upper.dot(wedge.crest_1);
+    const double rise_2 = upper.dot(trace_2);
     if (!(upper_level > 0) || !(rise_2 > 0)) {
         return WedgeFailureCheck::crest_below_daylight;
     }
-    wedge.crest_2 = T(upper_level / rise_2) * trace_2;
-    wedge.line_top = T(upper_level / out_of_upper) * wedge.line;
-    wedge.crack_normal = Vector3<T>(T(0), T(0), T(0));
+    wedge.crest_2 = upper_level / rise_2 * trace_2;
+    wedge.line_top = upper_level / out_of_upper * wedge.line;
+    wedge.crack_normal = Direction::Zero();
     wedge.line_end = wedge.crack_1 = wedge.crack_2 = wedge.line_top;
     if (problem.tension_crack) {
         const WedgeFailureCheck check = detail::cut_by_crack(*problem.tension_crack, wedge);
@@ -209,9 +171,8 @@ WedgeFailureCheck make_geometry(const WedgeFailure<T>& problem, WedgeGeometry<T>
                    6;
     wedge.area_1 = triangle_area(wedge.crest_1, wedge.crack_1) + triangle_area(wedge.crack_1, wedge.line_end);
     wedge.area_2 = triangle_area(wedge.crest_2, wedge.crack_2) + triangle_area(wedge.crack_2, wedge.line_end);
-    wedge.crack_area =
-        triangle_area(Vector3<T>(wedge.crack_1 - wedge.line_end), Vector3<T>(wedge.crack_2 - wedge.line_end));
-    wedge.crack_depth = problem.tension_crack ? T((upper_level - upper.dot(wedge.line_end)) / upper.z()) : T(0);
+    wedge.crack_area = triangle_area(wedge.crack_1 - wedge.line_end, wedge.crack_2 - wedge.line_end);
+    wedge.crack_depth = problem.tension_crack ? (upper_level - upper.dot(wedge.line_end)) / upper.z() : 0;
     return WedgeFailureCheck::valid;
 }
 

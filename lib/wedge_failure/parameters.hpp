@@ -24,13 +24,12 @@ constexpr Interval azimuth_range() {
 
 // `height` is H1 of Hoek & Bray. If face and upper surface differ in strike, the crest is inclined, and plane 2 meets
 // it at another height.
-template <class T = double>
 struct WedgeSlope {
-    T height;
-    T face_dip;
-    T face_dip_direction;
-    T upper_surface_dip;
-    T upper_surface_dip_direction;
+    double height;
+    double face_dip;
+    double face_dip_direction;
+    double upper_surface_dip;
+    double upper_surface_dip_direction;
     static constexpr auto fields() {
         using S = WedgeSlope;
         return FieldTable{number<&S::height>(Dimension::length, extent_range(),
@@ -47,11 +46,10 @@ struct WedgeSlope {
     }
 };
 
-template <class T = double>
 struct WedgePlane {
-    T dip;
-    T dip_direction;
-    StrengthLaw<T> strength;
+    double dip;
+    double dip_direction;
+    StrengthLaw<> strength;
     static constexpr auto fields() {
         return FieldTable{number<&WedgePlane::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
                           number<&WedgePlane::dip_direction>(Dimension::angle, azimuth_range(),
@@ -60,11 +58,10 @@ struct WedgePlane {
     }
 };
 
-template <class T = double>
 struct WedgeCrack {
-    T dip;
-    T dip_direction;
-    T distance;
+    double dip;
+    double dip_direction;
+    double distance;
     static constexpr auto fields() {
         return FieldTable{number<&WedgeCrack::dip>(Dimension::angle, within(0, degrees(90)), "dip"),
                           number<&WedgeCrack::dip_direction>(Dimension::angle, azimuth_range(),
@@ -79,10 +76,9 @@ struct WedgeCrack {
 // its greatest value p: at the foot of the crack, p = unit weight times its depth below the upper surface; without a
 // crack half-way down the line of intersection, p = unit weight times half the height between the ends of that line.
 // The mean pressure on either plane and on the crack is p / 3. `filled_ratio` multiplies p.
-template <class T = double>
 struct FilledFissures {
-    T unit_weight;
-    T filled_ratio;
+    double unit_weight;
+    double filled_ratio;
     static constexpr std::string_view kind = "filled_fissures";
     static constexpr auto fields() {
         return FieldTable{water_unit_weight_field(&FilledFissures::unit_weight),
@@ -91,11 +87,10 @@ struct FilledFissures {
     }
 };
 
-template <class T = double>
 struct MeanPressures {
-    T plane_1;
-    T plane_2;
-    std::optional<T> tension_crack;
+    double plane_1;
+    double plane_2;
+    std::optional<double> tension_crack;
     static constexpr std::string_view kind = "mean_pressures";
     static constexpr auto fields() {
         using P = MeanPressures;
@@ -106,14 +101,12 @@ struct MeanPressures {
     }
 };
 
-template <class T = double>
-using WedgeWater = std::variant<Dry, FilledFissures<T>, MeanPressures<T>>;
+using WedgeWater = std::variant<Dry, FilledFissures, MeanPressures>;
 
-template <class T = double>
 struct WedgeSeismicLoad {
-    T coefficient;
-    std::optional<T> plunge;
-    std::optional<T> trend;
+    double coefficient;
+    std::optional<double> plunge;
+    std::optional<double> trend;
     static constexpr auto fields() {
         using S = WedgeSeismicLoad;
         return FieldTable{number<&S::coefficient>(within(-5, 5), "inertia force over weight"),
@@ -124,11 +117,10 @@ struct WedgeSeismicLoad {
     }
 };
 
-template <class T = double>
 struct WedgeLoad {
-    T force;
-    T plunge;
-    T trend;
+    double force;
+    double plunge;
+    double trend;
     static constexpr auto fields() {
         return FieldTable{
             number<&WedgeLoad::force>(Dimension::force, at_least(0), "force on the wedge"),
@@ -139,11 +131,10 @@ struct WedgeLoad {
 };
 
 // The force acts on the wedge: it points from the head into the rock.
-template <class T = double>
 struct WedgeBolt {
-    T force;
-    T plunge;
-    T trend;
+    double force;
+    double plunge;
+    double trend;
     BoltAction action;
     static constexpr auto fields() {
         return FieldTable{
@@ -157,17 +148,16 @@ struct WedgeBolt {
     }
 };
 
-template <class T = double>
 struct WedgeFailure {
-    WedgeSlope<T> slope;
-    WedgePlane<T> plane_1;
-    WedgePlane<T> plane_2;
-    std::optional<WedgeCrack<T>> tension_crack;
-    Rock<T> rock;
-    WedgeWater<T> water;
-    std::optional<WedgeSeismicLoad<T>> seismic;
-    std::vector<WedgeLoad<T>> load;
-    std::vector<WedgeBolt<T>> bolt;
+    WedgeSlope slope;
+    WedgePlane plane_1;
+    WedgePlane plane_2;
+    std::optional<WedgeCrack> tension_crack;
+    Rock<> rock;
+    WedgeWater water;
+    std::optional<WedgeSeismicLoad> seismic;
+    std::vector<WedgeLoad> load;
+    std::vector<WedgeBolt> bolt;
 
     static constexpr std::string_view kind = "wedge";
     static constexpr auto fields() {
@@ -184,10 +174,9 @@ struct WedgeFailure {
     }
 };
 
-template <class T = double>
 struct WedgeFailureStudy {
-    WedgeFailure<T> model;
-    std::vector<RequiredValue<T>> required;
+    WedgeFailure model;
+    std::vector<RequiredValue<>> required;
 
     static constexpr std::string_view kind = "wedge";
     static constexpr auto fields() {

@@ -31,110 +31,101 @@
 
 namespace delabole {
 
-template <class T>
 struct WedgePressures {
-    T plane_1;
-    T plane_2;
-    T crack;
+    double plane_1;
+    double plane_2;
+    double crack;
 };
 
 // Mean pressures; parameters.hpp describes how fissures fill. The geometry is that of the problem.
-template <class T>
-WedgePressures<T> mean_pressures(const WedgeFailure<T>& problem, const WedgeGeometry<T>& wedge) {
-    if (const auto* filled = std::get_if<FilledFissures<T>>(&problem.water)) {
-        const T depth = problem.tension_crack ? wedge.crack_depth : T(wedge.line_top.z() / 2);
-        const T mean = filled->unit_weight * filled->filled_ratio * depth / 3;
-        return {mean, mean, problem.tension_crack ? mean : T(0)};
+inline WedgePressures mean_pressures(const WedgeFailure& problem, const WedgeGeometry& wedge) {
+    if (const auto* filled = std::get_if<FilledFissures>(&problem.water)) {
+        const double depth = problem.tension_crack ? wedge.crack_depth : wedge.line_top.z() / 2;
+        const double mean = filled->unit_weight * filled->filled_ratio * depth / 3;
+        return {mean, mean, problem.tension_crack ? mean : 0};
     }
-    if (const auto* given = std::get_if<MeanPressures<T>>(&problem.water)) {
-        return {given->plane_1, given->plane_2, given->tension_crack.value_or(T(0))};
+    if (const auto* given = std::get_if<MeanPressures>(&problem.water)) {
+        return {given->plane_1, given->plane_2, given->tension_crack.value_or(0)};
     }
-    return {T(0), T(0), T(0)};
+    return {0, 0, 0};
 }
 
-template <class T>
 struct WedgeStability {
     SlidingContact contact;
-    T factor_of_safety;
-    Vector3<T> sliding;  // unit vector; zero if the wedge is lifted off
-    T weight;
-    T water_force_1;
-    T water_force_2;
-    T crack_water_force;
-    T normal_force_1;  // effective; 0 on a plane that carries no load
-    T normal_force_2;
-    T driving_force;    // R . s; if the wedge is lifted off, the magnitude of R
-    T resisting_force;  // strength of the planes and passive bolts
+    double factor_of_safety;
+    Direction sliding;  // unit vector; zero if the wedge is lifted off
+    double weight;
+    double water_force_1;
+    double water_force_2;
+    double crack_water_force;
+    double normal_force_1;  // effective; 0 on a plane that carries no load
+    double normal_force_2;
+    double driving_force;    // R . s; if the wedge is lifted off, the magnitude of R
+    double resisting_force;  // strength of the planes and passive bolts
 };
 
 namespace detail {
 
-template <class T>
 struct WedgeForces {
-    Vector3<T> active;
-    Vector3<T> passive;
+    Direction active;
+    Direction passive;
 };
 
-template <class T>
-WedgeForces<T> forces_on(const WedgeFailure<T>& problem, const WedgeGeometry<T>& wedge,
-                         const WedgeStability<T>& result) {
-    WedgeForces<T> forces{Vector3<T>(T(0), T(0), T(-result.weight)), Vector3<T>(T(0), T(0), T(0))};
+inline WedgeForces forces_on(const WedgeFailure& problem, const WedgeGeometry& wedge, const WedgeStability& result) {
+    WedgeForces forces{Direction(0, 0, -result.weight), Direction::Zero()};
     forces.active += result.water_force_1 * wedge.inner_1 + result.water_force_2 * wedge.inner_2 -
                      result.crack_water_force * wedge.crack_normal;
     if (problem.seismic) {
-        using std::atan2;
-        const WedgeSeismicLoad<T>& load = *problem.seismic;
-        const T trend = load.trend ? *load.trend : T(atan2(wedge.line.x(), wedge.line.y()));
-        forces.active += T(load.coefficient * result.weight) * direction_along(T(load.plunge.value_or(T(0))), trend);
+        const WedgeSeismicLoad& load = *problem.seismic;
+        const double trend = load.trend ? *load.trend : std::atan2(wedge.line.x(), wedge.line.y());
+        forces.active += load.coefficient * result.weight * direction_of({load.plunge.value_or(0), trend});
     }
-    for (const WedgeLoad<T>& load : problem.load) {
-        forces.active += load.force * direction_along(load.plunge, load.trend);
+    for (const WedgeLoad& load : problem.load) {
+        forces.active += load.force * direction_of({load.plunge, load.trend});
     }
-    for (const WedgeBolt<T>& bolt : problem.bolt) {
+    for (const WedgeBolt& bolt : problem.bolt) {
         (bolt.action == BoltAction::active ? forces.active : forces.passive) +=
-            bolt.force * direction_along(bolt.plunge, bolt.trend);
+            bolt.force * direction_of({bolt.plunge, bolt.trend});
     }
     return forces;
 }
 
 // The normal forces that hold a force across the line of intersection.
-template <class T>
-std::pair<T, T> both_normal_forces(const WedgeGeometry<T>& wedge, const Vector3<T>& force) {
-    const T cosine = wedge.inner_1.dot(wedge.inner_2);
-    const Vector3<T> axis = wedge.inner_1.cross(wedge.inner_2);
-    const T on_1 = force.dot(wedge.inner_1);
-    const T on_2 = force.dot(wedge.inner_2);
-    const T sine_squared = axis.dot(axis);  // 1 - c^2 without its cancellation
-    return {T((cosine * on_2 - on_1) / sine_squared), T((cosine * on_1 - on_2) / sine_squared)};
+inline std::pair<double, double> both_normal_forces(const WedgeGeometry& wedge, const Direction& force) {
+    const double cosine = wedge.inner_1.dot(wedge.inner_2);
+    const Direction axis = wedge.inner_1.cross(wedge.inner_2);
+    const double on_1 = force.dot(wedge.inner_1);
+    const double on_2 = force.dot(wedge.inner_2);
+    const double sine_squared = axis.dot(axis);  // 1 - c^2 without its cancellation
+    return {(cosine * on_2 - on_1) / sine_squared, (cosine * on_1 - on_2) / sine_squared};
 }
 
 }  // namespace detail
 
-template <class T>
-WedgeFailureCheck balance_forces(const WedgeFailure<T>& problem, const WedgeGeometry<T>& wedge,
-                                 WedgeStability<T>& result) {
+inline WedgeFailureCheck balance_forces(const WedgeFailure& problem, const WedgeGeometry& wedge,
+                                        WedgeStability& result) {
     if (!friction_below_90_degrees(problem.plane_1.strength) || !friction_below_90_degrees(problem.plane_2.strength)) {
         return WedgeFailureCheck::friction_not_below_90_deg;
     }
-    const auto* given = std::get_if<MeanPressures<T>>(&problem.water);
+    const auto* given = std::get_if<MeanPressures>(&problem.water);
     if (given != nullptr && given->tension_crack && !problem.tension_crack) {
         return WedgeFailureCheck::water_needs_crack;
     }
-    const WedgePressures<T> pressures = mean_pressures(problem, wedge);
+    const WedgePressures pressures = mean_pressures(problem, wedge);
     result.weight = problem.rock.unit_weight * wedge.volume;
     result.water_force_1 = pressures.plane_1 * wedge.area_1;
     result.water_force_2 = pressures.plane_2 * wedge.area_2;
     result.crack_water_force = pressures.crack * wedge.crack_area;
-    const detail::WedgeForces<T> forces = detail::forces_on(problem, wedge, result);
+    const detail::WedgeForces forces = detail::forces_on(problem, wedge, result);
 
     const auto [both_1, both_2] = detail::both_normal_forces(wedge, forces.active);
-    const Vector3<T> total = forces.active + forces.passive;
-    result.normal_force_1 = result.normal_force_2 = T(0);
-    result.sliding = Vector3<T>(T(0), T(0), T(0));
-    const auto slide_on = [&](const Vector3<T>& inner, SlidingContact contact, T& normal_force) {
-        const Vector3<T> along = forces.active - T(forces.active.dot(inner)) * inner;
+    const Direction total = forces.active + forces.passive;
+    result.normal_force_1 = result.normal_force_2 = 0;
+    result.sliding = Direction::Zero();
+    const auto slide_on = [&](const Direction& inner, SlidingContact contact, double& normal_force) {
+        const Direction along = forces.active - forces.active.dot(inner) * inner;
         result.contact = contact;
-        result.sliding = along / length_of(along);
+        result.sliding = along / along.norm();
         normal_force = -total.dot(inner);
     };
     if (both_1 >= 0 && both_2 >= 0) {
@@ -147,36 +138,34 @@ WedgeFailureCheck balance_forces(const WedgeFailure<T>& problem, const WedgeGeom
         slide_on(wedge.inner_2, SlidingContact::second_plane, result.normal_force_2);
     } else {
         result.contact = SlidingContact::none;
-        result.driving_force = length_of(forces.active);
-        result.resisting_force = result.factor_of_safety = T(0);
+        result.driving_force = forces.active.norm();
+        result.resisting_force = result.factor_of_safety = 0;
         return result.driving_force >= 0 ? WedgeFailureCheck::valid : WedgeFailureCheck::input_out_of_range;
     }
-    T resisting = -forces.passive.dot(result.sliding);
+    double resisting = -forces.passive.dot(result.sliding);
     if (result.contact != SlidingContact::second_plane) {
-        resisting += wedge.area_1 * shear_strength(problem.plane_1.strength, T(result.normal_force_1 / wedge.area_1));
+        resisting += wedge.area_1 * shear_strength(problem.plane_1.strength, result.normal_force_1 / wedge.area_1);
     }
     if (result.contact != SlidingContact::first_plane) {
-        resisting += wedge.area_2 * shear_strength(problem.plane_2.strength, T(result.normal_force_2 / wedge.area_2));
+        resisting += wedge.area_2 * shear_strength(problem.plane_2.strength, result.normal_force_2 / wedge.area_2);
     }
     // A passive bolt that sliding would shorten reduces the resistance, but not below zero.
-    result.resisting_force = resisting < 0 ? T(0) : resisting;
+    result.resisting_force = resisting < 0 ? 0 : resisting;
     result.driving_force = forces.active.dot(result.sliding);
-    result.factor_of_safety = result.driving_force <= 0 ? T(std::numeric_limits<double>::infinity())
-                                                        : T(result.resisting_force / result.driving_force);
+    result.factor_of_safety = result.driving_force <= 0 ? std::numeric_limits<double>::infinity()
+                                                        : result.resisting_force / result.driving_force;
     return result.factor_of_safety >= 0 ? WedgeFailureCheck::valid : WedgeFailureCheck::input_out_of_range;
 }
 
 // Geometry and forces; if `check` is not valid the other members are unspecified.
-template <class T>
 struct WedgeEquilibrium {
     WedgeFailureCheck check;
-    WedgeGeometry<T> wedge;
-    WedgeStability<T> stability;
+    WedgeGeometry wedge;
+    WedgeStability stability;
 };
 
-template <class T>
-WedgeEquilibrium<T> evaluate(const WedgeFailure<T>& problem) {
-    WedgeEquilibrium<T> result;
+inline WedgeEquilibrium evaluate(const WedgeFailure& problem) {
+    WedgeEquilibrium result;
     result.check = make_geometry(problem, result.wedge);
     if (result.check == WedgeFailureCheck::valid) {
         result.check = balance_forces(problem, result.wedge, result.stability);

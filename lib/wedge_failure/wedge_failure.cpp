@@ -17,7 +17,7 @@ double plunge_of(const Direction& direction) {
     return std::atan2(-direction.z(), std::hypot(direction.x(), direction.y()));
 }
 
-WedgeFailureResult result_of(const WedgeGeometry<double>& wedge, const WedgeStability<double>& stability) {
+WedgeFailureResult result_of(const WedgeGeometry& wedge, const WedgeStability& stability) {
     WedgeFailureResult result;
     result.check = WedgeFailureCheck::valid;
     result.contact = stability.contact;
@@ -47,12 +47,12 @@ WedgeFailureResult result_of(const WedgeGeometry<double>& wedge, const WedgeStab
 
 }  // namespace
 
-WedgeFailureResult analyse(const WedgeFailure<>& problem) {
+WedgeFailureResult analyse(const WedgeFailure& problem) {
     WedgeFailureResult result;
     if (!in_range(problem)) {
         return result;
     }
-    const WedgeEquilibrium<double> forces = evaluate(problem);
+    const WedgeEquilibrium forces = evaluate(problem);
     if (forces.check == WedgeFailureCheck::valid) {
         return result_of(forces.wedge, forces.stability);
     }
@@ -60,18 +60,18 @@ WedgeFailureResult analyse(const WedgeFailure<>& problem) {
     return result;
 }
 
-Required required_value(const WedgeFailure<>& problem, const std::string& parameter, double target,
+Required required_value(const WedgeFailure& problem, const std::string& parameter, double target,
                         const std::vector<std::string>& also) {
-    return find_required_value(problem, parameter, also, target, [](const WedgeFailure<>& varied) {
-        const WedgeEquilibrium<double> forces = evaluate(varied);
+    return find_required_value(problem, parameter, also, target, [](const WedgeFailure& varied) {
+        const WedgeEquilibrium forces = evaluate(varied);
         return forces.check == WedgeFailureCheck::valid ? forces.stability.factor_of_safety
                                                         : std::numeric_limits<double>::quiet_NaN();
     });
 }
 
-ModelInterface model_interface(const WedgeFailureStudy<>& study) {
+ModelInterface model_interface(const WedgeFailureStudy& study) {
     return interface_of_function(study.model, WedgeFailureResult{},
-                                 [](const WedgeFailure<>& varied) { return prediction_of(analyse(varied)); });
+                                 [](const WedgeFailure& varied) { return prediction_of(analyse(varied)); });
 }
 
 }  // namespace delabole

@@ -69,13 +69,13 @@ struct WedgeFailureResult {
 };
 
 // Checks ranges, then computes all members of the result.
-WedgeFailureResult analyse(const WedgeFailure<>& problem);
+WedgeFailureResult analyse(const WedgeFailure& problem);
 
 // The value of one input at which the factor of safety takes a given value.
-Required required_value(const WedgeFailure<>& problem, const std::string& parameter, double target,
+Required required_value(const WedgeFailure& problem, const std::string& parameter, double target,
                         const std::vector<std::string>& also = {});
 
 // Inputs: every number of the problem. Outputs: every number of WedgeFailureResult.
-ModelInterface model_interface(const WedgeFailureStudy<>& study);
+ModelInterface model_interface(const WedgeFailureStudy& study);
 
 }  // namespace delabole

@@ -104,7 +104,7 @@ void check_case(Checker& checker, const KinematicsStudy& study);
 void check_case(Checker& checker, const RelaxationStudy& study);
 void check_case(Checker& checker, const FlexuralSlope& slope);
 void check_case(Checker& checker, const SteppedPath& path);
-void check_case(Checker& checker, const WedgeFailureStudy<>& study);
+void check_case(Checker& checker, const WedgeFailureStudy& study);
 
 // All outputs that the model can have, whatever a case asks for. These are the outputs of its interface unless that
 // depends on more than the number of parts. The values of the model may be out of their ranges.

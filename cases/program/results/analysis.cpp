@@ -243,7 +243,7 @@ void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const
             const auto& own = own_answer(study, answer);
             using Study = std::remove_cvref_t<decltype(study)>;
             if constexpr (std::is_same_v<Study, PlaneFailureStudy<>> || std::is_same_v<Study, SteppedBaseStudy<>> ||
-                          std::is_same_v<Study, WedgeFailureStudy<>>) {
+                          std::is_same_v<Study, WedgeFailureStudy>) {
                 append_case_figures(study, own, folder, report, known);
             } else {
                 append_case_figures(study, own, folder, report);

@@ -39,7 +39,7 @@ auto analyse_case(const Study& study, const AnalysisWork& /*work*/ = {}) {
 }
 PlaneFailureAnswer analyse_case(const PlaneFailureStudy<>& study, const AnalysisWork& work = {});
 SteppedBaseAnswer analyse_case(const SteppedBaseStudy<>& study, const AnalysisWork& work = {});
-WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const AnalysisWork& work = {});
+WedgeFailureAnswer analyse_case(const WedgeFailureStudy& study, const AnalysisWork& work = {});
 RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisWork& work = {});
 
 // Name of the check that failed; empty if there is an answer.
@@ -68,7 +68,7 @@ Analysis named_outputs(const SingleBlock<>& problem, const SingleBlockResult& re
 Analysis named_outputs(const BlockRow<>& row, const BlockRowResult& result);
 Analysis named_outputs(const KinematicsStudy& study, const KinematicsResult& result);
 Analysis named_outputs(const SteppedPath& path, const SteppedPathResult& result);
-Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer);
+Analysis named_outputs(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer);
 Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer& answer);
 
 // The answer in at most three sentences, the first of them the verdict. The answer's check is valid.
@@ -80,7 +80,7 @@ HeadCard head_card(const TiltedColumn<>& column, const ColumnTilt& tilt);
 HeadCard head_card(const KinematicsStudy& study, const KinematicsResult& result);
 HeadCard head_card(const FlexuralSlope& slope, const FlexuralStability& result);
 HeadCard head_card(const SteppedPath& path, const SteppedPathResult& result);
-HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer);
+HeadCard head_card(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer);
 HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& answer);
 
 // Figures and tables of this model alone for the report of `delabole run`; the figure that shows the answer comes
@@ -102,7 +102,7 @@ void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& re
                          Report& report);
 void append_case_figures(const SteppedPath& path, const SteppedPathResult& result, const ResultFolder& folder,
                          Report& report);
-void append_case_figures(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
+void append_case_figures(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
                          Report& report, const InputDeviations& known);
 void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, const ResultFolder& folder,
                          Report& report);
@@ -147,7 +147,7 @@ void append_mechanism_figures(const FlexuralSlope& at_best, const MechanismFit& 
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
-void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
+void append_mechanism_figures(const WedgeFailureStudy& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
 
 // The reason why a case has no answer.

@@ -63,7 +63,7 @@ void expect_words_for_checks() {
 
 TEST(Impossibility, EveryCheckSaysWhatIsWrong) {
     expect_words_for_checks<PlaneFailureCheck, PlaneFailureStudy<>>();
-    expect_words_for_checks<WedgeFailureCheck, WedgeFailureStudy<>>();
+    expect_words_for_checks<WedgeFailureCheck, WedgeFailureStudy>();
     expect_words_for_checks<ColumnCheck, SteppedBaseStudy<>>();
     expect_words_for_checks<SteppedPathCheck, SteppedPath>();
     expect_words_for_checks<BlockRowCheck, BlockRow<>>();
@@ -194,9 +194,9 @@ TEST(ResultKeys, TiltedColumn) {
 }
 
 TEST(ResultKeys, Wedge) {
-    const auto study = example<WedgeFailureStudy<>>();
-    WedgeFailureStudy<> lifted = study;
-    lifted.model.water = MeanPressures<>{1e6, 1e6, {}};
+    const auto study = example<WedgeFailureStudy>();
+    WedgeFailureStudy lifted = study;
+    lifted.model.water = MeanPressures{1e6, 1e6, {}};
     EXPECT_EQ(keys_of(study), keys_of(lifted));
     EXPECT_EQ(word(study, "contact"), "both_planes");
     EXPECT_EQ(word(lifted, "contact"), "none");

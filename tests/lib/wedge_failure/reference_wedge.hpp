@@ -132,7 +132,7 @@ inline Space along(const Real& plunge, const Real& trend) {
 }
 
 // Of a valid problem with Coulomb strength. Unit normals have level 0 at the origin, where the line comes out.
-inline std::optional<WedgeAnswer> solve_wedge(const WedgeFailure<>& problem) {
+inline std::optional<WedgeAnswer> solve_wedge(const WedgeFailure& problem) {
     const Space face = compass_normal(problem.slope.face_dip, problem.slope.face_dip_direction);
     const Space upper = compass_normal(problem.slope.upper_surface_dip, problem.slope.upper_surface_dip_direction);
     const std::array<Space, 2> normals{compass_normal(problem.plane_1.dip, problem.plane_1.dip_direction),
@@ -175,7 +175,7 @@ inline std::optional<WedgeAnswer> solve_wedge(const WedgeFailure<>& problem) {
         line = (Real(line[2] < 0 ? 1 : -1) / norm(line)) * line;
         Space active = Real(-weight) * vertical;
         Space passive{Real(0), Real(0), Real(0)};
-        if (const auto* water = std::get_if<FilledFissures<>>(&problem.water)) {
+        if (const auto* water = std::get_if<FilledFissures>(&problem.water)) {
             Real depth;
             if (problem.tension_crack) {
                 // From the foot of the crack up to the ground.
@@ -196,10 +196,10 @@ inline std::optional<WedgeAnswer> solve_wedge(const WedgeFailure<>& problem) {
             active = active + (Real(problem.seismic->coefficient) * weight) *
                                   along(Real(problem.seismic->plunge.value_or(0.0)), trend);
         }
-        for (const WedgeLoad<>& load : problem.load) {
+        for (const WedgeLoad& load : problem.load) {
             active = active + Real(load.force) * along(Real(load.plunge), Real(load.trend));
         }
-        for (const WedgeBolt<>& bolt : problem.bolt) {
+        for (const WedgeBolt& bolt : problem.bolt) {
             Space& forces = bolt.action == BoltAction::active ? active : passive;
             forces = forces + Real(bolt.force) * along(Real(bolt.plunge), Real(bolt.trend));
         }
@@ -211,7 +211,7 @@ inline std::optional<WedgeAnswer> solve_wedge(const WedgeFailure<>& problem) {
             }
             return solved(rows, Real(-1) * force);
         };
-        const auto strength = [](const WedgePlane<>& plane, const Real& area, const Real& normal_force) {
+        const auto strength = [](const WedgePlane& plane, const Real& area, const Real& normal_force) {
             const auto& law = std::get<Coulomb<>>(plane.strength);
             const Real resisting = Real(law.cohesion) * area + normal_force * tan(Real(law.friction_angle));
             return resisting < 0 ? Real(0) : resisting;

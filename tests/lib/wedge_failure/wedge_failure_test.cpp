@@ -19,14 +19,14 @@ constexpr double pound_per_square_foot = 47.880258980335839;
 constexpr double pound_per_cubic_foot = pound_per_square_foot / foot;
 
 // Hoek & Bray's example of the complete solution.
-WedgeFailure<> example() {
-    WedgeFailure<> wedge{};
+WedgeFailure example() {
+    WedgeFailure wedge{};
     wedge.slope = {100 * foot, degrees(65), degrees(185), degrees(12), degrees(195)};
     wedge.plane_1 = {degrees(45), degrees(105), Coulomb<>{500 * pound_per_square_foot, degrees(20)}};
     wedge.plane_2 = {degrees(70), degrees(235), Coulomb<>{1000 * pound_per_square_foot, degrees(30)}};
-    wedge.tension_crack = WedgeCrack<>{degrees(70), degrees(165), 40 * foot};
+    wedge.tension_crack = WedgeCrack{degrees(70), degrees(165), 40 * foot};
     wedge.rock = {160 * pound_per_cubic_foot};
-    wedge.water = FilledFissures<>{62.5 * pound_per_cubic_foot, 1};
+    wedge.water = FilledFissures{62.5 * pound_per_cubic_foot, 1};
     return wedge;
 }
 
@@ -39,8 +39,8 @@ class RandomWedges {
         return lower + (upper - lower) * static_cast<double>(generator_()) / 4294967296.0;
     }
 
-    WedgeFailure<> next() {
-        WedgeFailure<> wedge{};
+    WedgeFailure next() {
+        WedgeFailure wedge{};
         const double azimuth = between(0, degrees(360));
         const auto aside = [&](double most) {
             return std::fmod(azimuth + degrees(360) + between(-most, most), degrees(360));
@@ -53,11 +53,11 @@ class RandomWedges {
         const double weight = wedge.rock.unit_weight * std::pow(wedge.slope.height, 3);
         if (between(0, 1) < 0.5) {
             wedge.tension_crack =
-                WedgeCrack<>{between(degrees(50), degrees(90)), aside(degrees(60)), between(0, wedge.slope.height)};
+                WedgeCrack{between(degrees(50), degrees(90)), aside(degrees(60)), between(0, wedge.slope.height)};
         }
-        wedge.water = between(0, 1) < 0.5 ? WedgeWater<>(Dry{}) : FilledFissures<>{9810, between(0, 1)};
+        wedge.water = between(0, 1) < 0.5 ? WedgeWater(Dry{}) : FilledFissures{9810, between(0, 1)};
         if (between(0, 1) < 0.3) {
-            wedge.seismic = WedgeSeismicLoad<>{between(-0.3, 0.3), {}, {}};
+            wedge.seismic = WedgeSeismicLoad{between(-0.3, 0.3), {}, {}};
         }
         if (between(0, 1) < 0.3) {
             wedge.load = {{between(0, 0.02) * weight, between(degrees(-90), degrees(90)), between(0, degrees(360))}};
@@ -77,15 +77,15 @@ class RandomWedges {
     std::mt19937 generator_;
 };
 
-double factor_of(const WedgeFailure<>& wedge) {
+double factor_of(const WedgeFailure& wedge) {
     const WedgeFailureResult result = analyse(wedge);
     return result.check == WedgeFailureCheck::valid ? result.factor_of_safety : std::nan("");
 }
 
 TEST(WedgeFailure, HoekAndBraysExampleAgreesWithFiftyDigits) {
     for (const double ratio : {0.0, 0.5, 1.0}) {
-        WedgeFailure<> wedge = example();
-        std::get<FilledFissures<>>(wedge.water).filled_ratio = ratio;
+        WedgeFailure wedge = example();
+        std::get<FilledFissures>(wedge.water).filled_ratio = ratio;
         const WedgeFailureResult result = analyse(wedge);
         ASSERT_EQ(result.check, WedgeFailureCheck::valid);
         EXPECT_EQ(result.contact, SlidingContact::both_planes);
@@ -106,7 +106,7 @@ TEST(WedgeFailure, RandomWedgesAgreeWithFiftyDigits) {
     std::map<SlidingContact, int> contacts;
     int cracked = 0;
     for (int count = 0; count < 4000; ++count) {
-        const WedgeFailure<> wedge = wedges.next();
+        const WedgeFailure wedge = wedges.next();
         const WedgeFailureResult result = analyse(wedge);
         if (result.check != WedgeFailureCheck::valid) {
             continue;
@@ -135,17 +135,17 @@ TEST(WedgeFailure, RandomWedgesAgreeWithFiftyDigits) {
 
 TEST(WedgeFailure, LengthsWithCohesionsAndWeightsWithCohesionsScale) {
     const double given = factor_of(example());
-    WedgeFailure<> large = example();
+    WedgeFailure large = example();
     large.slope.height *= 10;
     large.tension_crack->distance *= 10;
-    for (WedgePlane<>* plane : {&large.plane_1, &large.plane_2}) {
+    for (WedgePlane* plane : {&large.plane_1, &large.plane_2}) {
         std::get<Coulomb<>>(plane->strength).cohesion *= 10;
     }
     EXPECT_NEAR(factor_of(large), given, 1e-13);  // roundings of the lengths
-    WedgeFailure<> heavy = example();
+    WedgeFailure heavy = example();
     heavy.rock.unit_weight *= 3;
-    std::get<FilledFissures<>>(heavy.water).unit_weight *= 3;
-    for (WedgePlane<>* plane : {&heavy.plane_1, &heavy.plane_2}) {
+    std::get<FilledFissures>(heavy.water).unit_weight *= 3;
+    for (WedgePlane* plane : {&heavy.plane_1, &heavy.plane_2}) {
         std::get<Coulomb<>>(plane->strength).cohesion *= 3;
     }
     EXPECT_NEAR(factor_of(heavy), given, 1e-13);
@@ -154,7 +154,7 @@ TEST(WedgeFailure, LengthsWithCohesionsAndWeightsWithCohesionsScale) {
 TEST(WedgeFailure, TurningAndMirroringChangeNothing) {
     const double given = factor_of(example());
     const auto with_azimuths = [](auto change) {
-        WedgeFailure<> wedge = example();
+        WedgeFailure wedge = example();
         for (double* azimuth :
              {&wedge.slope.face_dip_direction, &wedge.slope.upper_surface_dip_direction, &wedge.plane_1.dip_direction,
               &wedge.plane_2.dip_direction, &wedge.tension_crack->dip_direction}) {
@@ -170,13 +170,13 @@ TEST(WedgeFailure, EitherPlaneMayBeTheFirst) {
     RandomWedges wedges(7);
     int compared = 0;
     for (int count = 0; count < 2000; ++count) {
-        WedgeFailure<> wedge = wedges.next();
+        WedgeFailure wedge = wedges.next();
         wedge.tension_crack.reset();
-        const WedgeEquilibrium<double> forces = evaluate(wedge);
+        const WedgeEquilibrium forces = evaluate(wedge);
         if (forces.check != WedgeFailureCheck::valid || !(forces.wedge.crest_2.z() > 0)) {
             continue;
         }
-        WedgeFailure<> swapped = wedge;
+        WedgeFailure swapped = wedge;
         std::swap(swapped.plane_1, swapped.plane_2);
         swapped.slope.height = forces.wedge.crest_2.z();
         const double factor = factor_of(wedge);
@@ -193,7 +193,7 @@ TEST(WedgeFailure, TwoPlanesAlikeSlideLikeOne) {
     // one plane that slides at tan(friction) / tan(dip).
     double before = 1;
     for (const double turn : {8.0, 4.0, 2.0, 1.0}) {
-        WedgeFailure<> wedge{};
+        WedgeFailure wedge{};
         wedge.slope = {20, degrees(60), degrees(180), 0, degrees(180)};
         wedge.plane_1 = {degrees(35), degrees(180 - turn), Coulomb<>{0, degrees(30)}};
         wedge.plane_2 = {degrees(35), degrees(180 + turn), Coulomb<>{0, degrees(30)}};
@@ -211,7 +211,7 @@ TEST(WedgeFailure, DryWedgesSlideAsKinematicsSays) {
     RandomWedges wedges(1977);
     int compared = 0;
     for (int count = 0; count < 4000; ++count) {
-        WedgeFailure<> wedge = wedges.next();
+        WedgeFailure wedge = wedges.next();
         wedge.slope.face_dip = std::min(wedge.slope.face_dip, degrees(90));
         wedge.tension_crack.reset();
         wedge.water = Dry{};
@@ -239,7 +239,7 @@ TEST(WedgeFailure, DryWedgesSlideAsKinematicsSays) {
 }
 
 TEST(WedgeFailure, WaterLiftsALightWedgeOff) {
-    WedgeFailure<> wedge = example();
+    WedgeFailure wedge = example();
     wedge.rock.unit_weight = 3e3;
     const WedgeFailureResult result = analyse(wedge);
     EXPECT_EQ(result.check, WedgeFailureCheck::valid);
@@ -248,18 +248,18 @@ TEST(WedgeFailure, WaterLiftsALightWedgeOff) {
 }
 
 TEST(WedgeFailure, GivenPressuresAreThoseOfFilledFissures) {
-    WedgeFailure<> wedge = example();
+    WedgeFailure wedge = example();
     const WedgeFailureResult filled = analyse(wedge);
     const double mean = filled.water_force_1 / filled.area_1;
-    wedge.water = MeanPressures<>{mean, mean, mean};
+    wedge.water = MeanPressures{mean, mean, mean};
     EXPECT_NEAR(factor_of(wedge), filled.factor_of_safety, 1e-13);
     EXPECT_NEAR(mean, 62.5 * pound_per_cubic_foot * filled.crack_depth / 3, 1e-9);  // Pa, of 5e4
-    wedge.water = MeanPressures<>{mean, mean, {}};
+    wedge.water = MeanPressures{mean, mean, {}};
     EXPECT_GT(factor_of(wedge), filled.factor_of_safety);
 }
 
 TEST(WedgeFailure, RequiredBoltForceReachesItsFactor) {
-    WedgeFailure<> wedge = example();
+    WedgeFailure wedge = example();
     // Towards the rock, slightly upwards, against the line of intersection.
     wedge.bolt = {{0, degrees(-10), degrees(337), BoltAction::active}};
     const Required force = required_value(wedge, "bolt[1].force", 1.5);
@@ -270,7 +270,7 @@ TEST(WedgeFailure, RequiredBoltForceReachesItsFactor) {
 
 TEST(WedgeFailure, ImpossibleGeometriesAreNamed) {
     const auto check_of = [](auto change) {
-        WedgeFailure<> wedge = example();
+        WedgeFailure wedge = example();
         change(wedge);
         return analyse(wedge).check;
     };
@@ -287,12 +287,12 @@ TEST(WedgeFailure, ImpossibleGeometriesAreNamed) {
     EXPECT_EQ(check_of([](auto& wedge) { wedge.tension_crack->distance = 100; }), Check::crack_misses_wedge);
     EXPECT_EQ(check_of([](auto& wedge) { wedge.tension_crack->dip = degrees(32); }), Check::crack_misses_wedge);
     EXPECT_EQ(check_of([](auto& wedge) {
-                  wedge.tension_crack = WedgeCrack<>{degrees(90), degrees(200), 1};
+                  wedge.tension_crack = WedgeCrack{degrees(90), degrees(200), 1};
               }),
               Check::crack_cuts_face);
     EXPECT_EQ(check_of([](auto& wedge) {
                   wedge.tension_crack.reset();
-                  wedge.water = MeanPressures<>{1, 1, 1};
+                  wedge.water = MeanPressures{1, 1, 1};
               }),
               Check::water_needs_crack);
     EXPECT_EQ(check_of([](auto& wedge) {

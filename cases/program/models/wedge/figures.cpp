@@ -9,21 +9,21 @@ namespace delabole {
 namespace {
 
 // NaN if there is no wedge.
-double factor_of(const WedgeFailure<>& problem) {
+double factor_of(const WedgeFailure& problem) {
     const WedgeFailureResult result = analyse(problem);
     return result.check == WedgeFailureCheck::valid ? result.factor_of_safety : std::nan("");
 }
 
 }  // namespace
 
-WedgeDrawing wedge_drawing(const WedgeFailure<>& problem, const std::string& title) {
-    const WedgeEquilibrium<double> forces = evaluate(problem);
-    const WedgeGeometry<double>& wedge = forces.wedge;
-    const WedgeSlope<>& slope = problem.slope;
+WedgeDrawing wedge_drawing(const WedgeFailure& problem, const std::string& title) {
+    const WedgeEquilibrium forces = evaluate(problem);
+    const WedgeGeometry& wedge = forces.wedge;
+    const WedgeSlope& slope = problem.slope;
     return {.title = title,
             .face_dip_direction = slope.face_dip_direction,
-            .face_normal = normal_of(slope.face_dip, slope.face_dip_direction),
-            .upper_normal = normal_of(slope.upper_surface_dip, slope.upper_surface_dip_direction),
+            .face_normal = upward_normal({slope.face_dip, slope.face_dip_direction}),
+            .upper_normal = upward_normal({slope.upper_surface_dip, slope.upper_surface_dip_direction}),
             .crest_1 = wedge.crest_1,
             .crest_2 = wedge.crest_2,
             .crack_1 = wedge.crack_1,
@@ -33,8 +33,8 @@ WedgeDrawing wedge_drawing(const WedgeFailure<>& problem, const std::string& tit
             .sliding = forces.stability.sliding};
 }
 
-WedgeNet wedge_net(const WedgeFailure<>& problem, const WedgeFailureResult& result) {
-    const WedgeSlope<>& slope = problem.slope;
+WedgeNet wedge_net(const WedgeFailure& problem, const WedgeFailureResult& result) {
+    const WedgeSlope& slope = problem.slope;
     WedgeNet net{.title = "Stereonet",
                  .face = {slope.face_dip, slope.face_dip_direction},
                  .upper_surface = {slope.upper_surface_dip, slope.upper_surface_dip_direction},
@@ -50,9 +50,9 @@ WedgeNet wedge_net(const WedgeFailure<>& problem, const WedgeFailureResult& resu
     return net;
 }
 
-std::optional<WaterDepthCurves> filled_ratio_curve(const WedgeFailure<>& problem) {
-    WedgeFailure<> varied = problem;
-    auto* fissures = std::get_if<FilledFissures<>>(&varied.water);
+std::optional<WaterDepthCurves> filled_ratio_curve(const WedgeFailure& problem) {
+    WedgeFailure varied = problem;
+    auto* fissures = std::get_if<FilledFissures>(&varied.water);
     if (fissures == nullptr) {
         return std::nullopt;
     }
@@ -70,14 +70,14 @@ std::optional<WaterDepthCurves> filled_ratio_curve(const WedgeFailure<>& problem
     return curves;
 }
 
-std::vector<SensitivityBar> sensitivity_bars(const WedgeFailure<>& problem, const InputDeviations& known) {
+std::vector<SensitivityBar> sensitivity_bars(const WedgeFailure& problem, const InputDeviations& known) {
     const double height = problem.slope.height;
     const double overburden = problem.rock.unit_weight * height;
     const double given = factor_of(problem);
     std::vector<SensitivityBar> bars;
     for_each_named_number(problem, [&](const std::string& path, const FieldInfo& info, double value) {
         const SensitivityStep step = sensitivity_step(path, known, info.dimension, value, height, overburden);
-        WedgeFailure<> varied = problem;
+        WedgeFailure varied = problem;
         const auto changed_by = [&](double change) {
             for_each_named_number(varied, [&](const std::string& other, const FieldInfo&, double& number) {
                 number = other == path ? value + change : number;

@@ -24,7 +24,7 @@ void warn(Analysis& analysis, const WedgeFailureResult& result) {
     }
 }
 
-void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& result, const std::string& prefix,
+void append_drawings(const WedgeFailure& problem, const WedgeFailureResult& result, const std::string& prefix,
                      const InputDeviations& known, const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(folder.draw(
         wedge_figure(wedge_drawing(problem, "The wedge in the slope")), prefix + "wedge",
@@ -49,7 +49,7 @@ void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& re
 
 }  // namespace
 
-WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const AnalysisWork&) {
+WedgeFailureAnswer analyse_case(const WedgeFailureStudy& study, const AnalysisWork&) {
     WedgeFailureAnswer answer{analyse(study.model)};
     if (answer.result.check == WedgeFailureCheck::valid) {
         answer.required = required_values(study.model, study.required);
@@ -57,7 +57,7 @@ WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const Analysis
     return answer;
 }
 
-Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer) {
+Analysis named_outputs(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer) {
     Analysis analysis;
     append_outputs(analysis, answer.result);
     if (answer.result.contact == SlidingContact::none) {
@@ -71,7 +71,7 @@ Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswe
     return analysis;
 }
 
-HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer) {
+HeadCard head_card(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer) {
     const WedgeFailureResult& result = answer.result;
     const bool stands = result.factor_of_safety >= 1;
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
@@ -92,12 +92,12 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
     return head;
 }
 
-void append_case_figures(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
+void append_case_figures(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
                          Report& report, const InputDeviations& known) {
     append_drawings(study.model, answer.result, "", known, folder, report);
 }
 
-void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem&,
+void append_mechanism_figures(const WedgeFailureStudy& at_best, const MechanismFit& fit, const FitProblem&,
                               const ResultFolder& folder, Report& report) {
     const WedgeFailureResult result = analyse(at_best.model);
     if (result.check == WedgeFailureCheck::valid) {
