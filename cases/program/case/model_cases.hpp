@@ -98,8 +98,8 @@ template <class Model>
 void check_case(Checker& /*checker*/, const Model& /*model*/) {}
 void check_case(Checker& checker, const PlaneFailureStudy<>& study);
 void check_case(Checker& checker, const SteppedBaseStudy<>& study);
-void check_case(Checker& checker, const SingleBlock<>& problem);
-void check_case(Checker& checker, const BlockRow<>& row);
+void check_case(Checker& checker, const SingleBlock& problem);
+void check_case(Checker& checker, const BlockRow& row);
 void check_case(Checker& checker, const KinematicsStudy& study);
 void check_case(Checker& checker, const RelaxationStudy& study);
 void check_case(Checker& checker, const FlexuralSlope& slope);

@@ -17,7 +17,7 @@
 
 namespace delabole {
 
-using Models = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
+using Models = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock, BlockRow, TiltedColumn<>,
                             KinematicsStudy, RelaxationStudy, FlexuralSlope, SteppedPath, WedgeFailureStudy>;
 
 // Copied, moved and destroyed in one source: the models are large, and many sources do so.

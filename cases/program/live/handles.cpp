@@ -198,7 +198,7 @@ void add_handles(const SteppedPath& path, const std::vector<Quantity>& inputs, s
     add_spoke(inputs, handles, "columns", "columns.dip", behind, length, degrees(180));
 }
 
-void add_handles(const SingleBlock<>& problem, const std::vector<Quantity>&, std::vector<Handle>& handles) {
+void add_handles(const SingleBlock& problem, const std::vector<Quantity>&, std::vector<Handle>& handles) {
     const double inclination = problem.base.inclination;
     const Point along(std::cos(inclination), std::sin(inclination));
     const Point up(-along.y(), along.x());
@@ -231,7 +231,7 @@ void add_handles(const FlexuralSlope& slope, const std::vector<Quantity>&, std::
 }
 
 // The row is drawn at the tilt at which its governing mode begins, whatever the inclination of its base.
-void add_handles(const BlockRow<>& row, const std::vector<Quantity>&, std::vector<Handle>& handles) {
+void add_handles(const BlockRow& row, const std::vector<Quantity>&, std::vector<Handle>& handles) {
     const BlockRowResult result = analyse(row);
     if (result.check == BlockRowCheck::valid && !result.block.empty()) {
         add_row(row.block, "block", result.answer.critical_tilt, "", 0, handles);

@@ -64,8 +64,8 @@ Analysis named_outputs(const Study& /*study*/, const Answer& answer) {
 }
 Analysis named_outputs(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer);
 Analysis named_outputs(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer);
-Analysis named_outputs(const SingleBlock<>& problem, const SingleBlockResult& result);
-Analysis named_outputs(const BlockRow<>& row, const BlockRowResult& result);
+Analysis named_outputs(const SingleBlock& problem, const SingleBlockResult& result);
+Analysis named_outputs(const BlockRow& row, const BlockRowResult& result);
 Analysis named_outputs(const KinematicsStudy& study, const KinematicsResult& result);
 Analysis named_outputs(const SteppedPath& path, const SteppedPathResult& result);
 Analysis named_outputs(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer);
@@ -74,8 +74,8 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
 // The answer in at most three sentences, the first of them the verdict. The answer's check is valid.
 HeadCard head_card(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer);
 HeadCard head_card(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer);
-HeadCard head_card(const SingleBlock<>& problem, const SingleBlockResult& result);
-HeadCard head_card(const BlockRow<>& row, const BlockRowResult& result);
+HeadCard head_card(const SingleBlock& problem, const SingleBlockResult& result);
+HeadCard head_card(const BlockRow& row, const BlockRowResult& result);
 HeadCard head_card(const TiltedColumn<>& column, const ColumnTilt& tilt);
 HeadCard head_card(const KinematicsStudy& study, const KinematicsResult& result);
 HeadCard head_card(const FlexuralSlope& slope, const FlexuralStability& result);
@@ -92,10 +92,9 @@ void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAns
                          Report& report, const InputDeviations& known);
 void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer, const ResultFolder& folder,
                          Report& report, const InputDeviations& known);
-void append_case_figures(const SingleBlock<>& problem, const SingleBlockResult& result, const ResultFolder& folder,
+void append_case_figures(const SingleBlock& problem, const SingleBlockResult& result, const ResultFolder& folder,
                          Report& report);
-void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, const ResultFolder& folder,
-                         Report& report);
+void append_case_figures(const BlockRow& row, const BlockRowResult& result, const ResultFolder& folder, Report& report);
 void append_case_figures(const KinematicsStudy& study, const KinematicsResult& result, const ResultFolder& folder,
                          Report& report);
 void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& result, const ResultFolder& folder,
@@ -137,9 +136,9 @@ void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const Mechanis
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
-void append_mechanism_figures(const SingleBlock<>& at_best, const MechanismFit& fit, const FitProblem& problem,
+void append_mechanism_figures(const SingleBlock& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
-void append_mechanism_figures(const BlockRow<>& at_best, const MechanismFit& fit, const FitProblem& problem,
+void append_mechanism_figures(const BlockRow& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
@@ -168,8 +167,8 @@ Impossibility impossibility(const Study& /*study*/, std::string_view failure) {
 }
 Impossibility impossibility(const PlaneFailureStudy<>& study, std::string_view failure);
 Impossibility impossibility(const SteppedBaseStudy<>& study, std::string_view failure);
-Impossibility impossibility(const SingleBlock<>& problem, std::string_view failure);
-Impossibility impossibility(const BlockRow<>& row, std::string_view failure);
+Impossibility impossibility(const SingleBlock& problem, std::string_view failure);
+Impossibility impossibility(const BlockRow& row, std::string_view failure);
 Impossibility impossibility(const KinematicsStudy& study, std::string_view failure);
 Impossibility impossibility(const RelaxationStudy& study, std::string_view failure);
 

@@ -15,7 +15,7 @@ namespace delabole {
 
 namespace {
 
-BlockRowCheck check_input(const BlockRow<>& row) {
+BlockRowCheck check_input(const BlockRow& row) {
     if (row.block.empty()) {
         return BlockRowCheck::no_blocks;
     }
@@ -114,7 +114,7 @@ std::optional<RowAnswer> bounded_answer(const std::vector<RowMember<double>>& me
 
 }  // namespace
 
-BlockRowResult analyse(const BlockRow<>& row) {
+BlockRowResult analyse(const BlockRow& row) {
     BlockRowResult result;
     result.check = check_input(row);
     if (result.check != BlockRowCheck::valid) {
@@ -151,8 +151,8 @@ BlockRowResult analyse(const BlockRow<>& row) {
     return result;
 }
 
-ModelInterface model_interface(const BlockRow<>& row) {
-    return interface_of_function(row, RowAnswer{}, [](const BlockRow<>& varied) -> Prediction {
+ModelInterface model_interface(const BlockRow& row) {
+    return interface_of_function(row, RowAnswer{}, [](const BlockRow& varied) -> Prediction {
         const BlockRowResult result = analyse(varied);
         return result.check == BlockRowCheck::valid ? Prediction{{}, output_values(result.answer), {}}
                                                     : Prediction{word_of(result.check), {}, {}};

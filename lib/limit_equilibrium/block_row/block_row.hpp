@@ -17,6 +17,8 @@
 #include "limit_equilibrium/block_row/block_row_parameters.hpp"
 #include "parameters/model_interface.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -121,31 +123,29 @@ struct BlockRowResult {
 inline constexpr std::size_t most_bounded_row = 500;
 
 // Exact up to 16 blocks; for longer rows a restricted search of linear time (block_row_search.hpp).
-BlockRowResult analyse(const BlockRow<>& row);
+BlockRowResult analyse(const BlockRow& row);
 
 // Inputs: every number of the row. Outputs: the numbers of RowAnswer.
-ModelInterface model_interface(const BlockRow<>& row);
+ModelInterface model_interface(const BlockRow& row);
 
 // The blocks in the form that the solver needs: tangents, contacts, weights.
-template <class T>
-std::vector<RowMember<T>> row_members(const BlockRow<T>& row) {
-    using std::tan;
-    std::vector<RowMember<T>> members;
+inline std::vector<RowMember<double>> row_members(const BlockRow& row) {
+    std::vector<RowMember<double>> members;
     members.reserve(row.block.size());
-    const T base = tan(row.base.friction_angle);
-    const T interface = tan(row.interface.friction_angle);
+    const double base = std::tan(row.base.friction_angle);
+    const double interface = std::tan(row.interface.friction_angle);
     for (std::size_t index = 0; index < row.block.size(); ++index) {
-        const RowBlock<T>& block = row.block[index];
-        RowMember<T> member{};
+        const RowBlock& block = row.block[index];
+        RowMember<double> member{};
         member.height = block.height;
         member.width = block.width;
-        const auto* weight = std::get_if<WeightOfBlock<T>>(&block.mass);
+        const auto* weight = std::get_if<WeightOfBlock>(&block.mass);
         member.weight = weight != nullptr
                             ? weight->weight
-                            : T(std::get<UnitWeightOfBlock<T>>(block.mass).unit_weight * block.height * block.width);
-        member.base_friction = block.base_friction_angle ? T(tan(*block.base_friction_angle)) : base;
+                            : std::get<UnitWeightOfBlock>(block.mass).unit_weight * block.height * block.width;
+        member.base_friction = block.base_friction_angle ? std::tan(*block.base_friction_angle) : base;
         member.interface_friction =
-            block.interface_friction_angle ? T(tan(*block.interface_friction_angle)) : interface;
+            block.interface_friction_angle ? std::tan(*block.interface_friction_angle) : interface;
         if (index + 1 < row.block.size()) {
             member.contact = std::min(block.height, row.block[index + 1].height);
         } else {

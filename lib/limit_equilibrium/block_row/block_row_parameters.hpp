@@ -14,10 +14,9 @@
 
 namespace delabole {
 
-template <class T = double>
 struct RowBase {
-    T inclination;
-    T friction_angle;
+    double inclination;
+    double friction_angle;
     static constexpr auto fields() {
         return FieldTable{number<&RowBase::inclination>(Dimension::angle, right_open(0, degrees(90)),
                                                         "inclination of the plane as it is"),
@@ -26,43 +25,38 @@ struct RowBase {
     }
 };
 
-template <class T = double>
 struct RowInterface {
-    T friction_angle;
+    double friction_angle;
     static constexpr auto fields() {
         return FieldTable{number<&RowInterface::friction_angle>(Dimension::angle, within(0, degrees(89.9)),
                                                                 "angle of friction between neighbouring blocks")};
     }
 };
 
-template <class T = double>
 struct WeightOfBlock {
-    T weight;
+    double weight;
     static constexpr auto fields() {
         return FieldTable{number<&WeightOfBlock::weight>(Dimension::force_per_length, more_than(0),
                                                          "weight of the block per metre run")};
     }
 };
 
-template <class T = double>
 struct UnitWeightOfBlock {
-    T unit_weight;
+    double unit_weight;
     static constexpr auto fields() {
         return FieldTable{
             number<&UnitWeightOfBlock::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of the block")};
     }
 };
 
-template <class T = double>
-using MassOfBlock = std::variant<WeightOfBlock<T>, UnitWeightOfBlock<T>>;
+using MassOfBlock = std::variant<WeightOfBlock, UnitWeightOfBlock>;
 
-template <class T = double>
 struct RowBlock {
-    T height;
-    T width;
-    MassOfBlock<T> mass;
-    std::optional<T> base_friction_angle;
-    std::optional<T> interface_friction_angle;
+    double height;
+    double width;
+    MassOfBlock mass;
+    std::optional<double> base_friction_angle;
+    std::optional<double> interface_friction_angle;
     static constexpr auto fields() {
         return FieldTable{
             number<&RowBlock::height>(Dimension::length, extent_range(), "height, normal to the plane"),
@@ -76,11 +70,10 @@ struct RowBlock {
     }
 };
 
-template <class T = double>
 struct BlockRow {
-    RowBase<T> base;
-    RowInterface<T> interface;
-    std::vector<RowBlock<T>> block;
+    RowBase base;
+    RowInterface interface;
+    std::vector<RowBlock> block;
 
     static constexpr std::string_view kind = "block_row";
     static constexpr auto fields() {

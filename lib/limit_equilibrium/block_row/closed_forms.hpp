@@ -31,86 +31,75 @@
 namespace delabole::closed_form {
 
 // (7): the lower block's toe slides forward, the upper one pivots (FP).
-template <class T>
-T two_blocks_forward(const T& a, const T& b, const T& w1, const T& w2, const T& mu, const T& c) {
-    const T m = mu * c;
+inline double two_blocks_forward(double a, double b, double w1, double w2, double mu, double c) {
+    const double m = mu * c;
     return b * ((w1 + w2) * (1 - m) + 2 * w1 * m) / (a * (w1 + w2) * (1 - m) + 2 * w1 * b * mu);
 }
 
 // (8): (7) with equal weights; (9) is this with c = mu.
-template <class T>
-T two_equal_blocks_forward(const T& a, const T& b, const T& mu, const T& c) {
+inline double two_equal_blocks_forward(double a, double b, double mu, double c) {
     return b / (a * (1 - mu * c) + b * mu);
 }
 
 // (10): the upper block's toe slides backward, the lower one pivots (PB).
-template <class T>
-T two_blocks_backward(const T& a, const T& b, const T& w1, const T& w2, const T& mu, const T& c) {
-    const T m = mu * c;
+inline double two_blocks_backward(double a, double b, double w1, double w2, double mu, double c) {
+    const double m = mu * c;
     return b * ((w1 + w2) * (1 + m) + 2 * w2 * m) / (a * (w1 + w2) * (1 + m) - 2 * w2 * b * mu);
 }
 
 // Derived formula for N equal blocks: `forward` toes slide forward, one pivots, `backward` ones slide backward. It
 // contains (8), (15) and the corrected (14), (16) and (18).
-template <class T>
-T equal_blocks(int forward, int backward, const T& a, const T& b, const T& mu, const T& c) {
+inline double equal_blocks(int forward, int backward, double a, double b, double mu, double c) {
     const int count = forward + 1 + backward;
-    const T m = mu * c;
-    const T below = T(forward * (forward + 1)) * (1 + m);
-    const T above = T(backward * (backward + 1)) * (1 - m);
+    const double m = mu * c;
+    const double below = forward * (forward + 1) * (1 + m);
+    const double above = backward * (backward + 1) * (1 - m);
     return b * (count * (1 - m) * (1 + m) + m * (below + above)) /
            (a * count * (1 - m) * (1 + m) + b * mu * (below - above));
 }
 
 // (14) as derived: FFP.
-template <class T>
-T three_blocks_two_forward(const T& a, const T& b, const T& mu, const T& c) {
-    const T m = mu * c;
+inline double three_blocks_two_forward(double a, double b, double mu, double c) {
+    const double m = mu * c;
     return b * (1 + m) / (a * (1 - m) + 2 * b * mu);
 }
 
 // (15): FPB.
-template <class T>
-T three_blocks_forward_backward(const T& a, const T& b, const T& mu, const T& c) {
-    const T m = mu * c;
+inline double three_blocks_forward_backward(double a, double b, double mu, double c) {
+    const double m = mu * c;
     return (3 * b * (1 - m * m) + 4 * b * m) / (3 * a * (1 - m * m) + 4 * b * mu * m);
 }
 
 // (16) as derived: PBB.
-template <class T>
-T three_blocks_two_backward(const T& a, const T& b, const T& mu, const T& c) {
-    const T m = mu * c;
+inline double three_blocks_two_backward(double a, double b, double mu, double c) {
+    const double m = mu * c;
     return b * (1 + 3 * m) / (a * (1 + m) - 2 * b * mu);
 }
 
 // (17) as printed: FBB, from the equality of the thrusts.
-template <class T>
-T three_blocks_equal_thrusts(const T& mu, const T& c) {
-    const T m = mu * c;
+inline double three_blocks_equal_thrusts(double mu, double c) {
+    const double m = mu * c;
     return (m * c * (2 + 3 * m) - c) / (m * (2 - m) + 3);
 }
 
 // (18) as printed.
-template <class T>
-T four_blocks_printed(const T& a, const T& b, const T& mu, const T& c) {
-    const T m = mu * c;
+inline double four_blocks_printed(double a, double b, double mu, double c) {
+    const double m = mu * c;
     return b * (c * c * (2 * c - 1) * mu * mu * mu - 7 * m * m + (3 * c + 1) * mu + 4) /
            (2 * (a * (1 - 2 * m + m * m) + 2 * b * mu * (1 - m)) * (2 + m) - 4 * b * mu * (1 - m) * (1 - m));
 }
 
 // (19) as printed.
-template <class T>
-T four_blocks_one_friction_printed(const T& a, const T& b, const T& mu) {
-    const T squared = mu * mu;
-    const T product = (mu + 1) * (mu - 1);
+inline double four_blocks_one_friction_printed(double a, double b, double mu) {
+    const double squared = mu * mu;
+    const double product = (mu + 1) * (mu - 1);
     return b * (squared * squared * ((2 * mu - 3) * (mu + 1) - 4) + ((3 * mu + 4) * (mu - 1) + 8)) /
            (product * (2 * (a * product - 2 * b * mu) * (squared + 2) + 4 * b * mu * product));
 }
 
 // (18) as derived: FFPB.
-template <class T>
-T four_blocks_two_forward_one_backward(const T& a, const T& b, const T& mu, const T& c) {
-    const T m = mu * c;
+inline double four_blocks_two_forward_one_backward(double a, double b, double mu, double c) {
+    const double m = mu * c;
     return b * (1 + 2 * m) / (a * (1 - m * m) + b * mu * (1 + 2 * m));
 }
 
@@ -118,30 +107,26 @@ T four_blocks_two_forward_one_backward(const T& a, const T& b, const T& mu, cons
 // (7) = (10) is
 //     w (1 + m)(c a - b) - (1 - w)(1 - m)(c a + b) - 4 w (1 - w) m b = 0
 // linear in w^2 and quadratic in c, mu a c^2 + {(2 w - 1) a - [(2 w - 1)^2 + ...]} ...: collected by powers of c below.
-template <class T>
-T boundary_base_friction(const T& a, const T& b, const T& w, const T& mu) {
-    using std::sqrt;
-    const T v = 1 - w;
+inline double boundary_base_friction(double a, double b, double w, double mu) {
+    const double v = 1 - w;
     // c^2 mu a (w + v) + c [a (w - v) + mu b (v - w) - 4 w v mu b] - b (w + v)
-    const T quadratic = mu * a;
-    const T half_linear = ((w - v) * (a - mu * b) - 4 * w * v * mu * b) / 2;
-    const T root = sqrt(T(half_linear * half_linear + quadratic * b));
+    const double quadratic = mu * a;
+    const double half_linear = ((w - v) * (a - mu * b) - 4 * w * v * mu * b) / 2;
+    const double root = std::sqrt(half_linear * half_linear + quadratic * b);
     // This form avoids cancellation; mu = 0 leaves the linear equation.
-    return half_linear > 0 ? T(b / (half_linear + root)) : T((root - half_linear) / quadratic);
+    return half_linear > 0 ? b / (half_linear + root) : (root - half_linear) / quadratic;
 }
 
 // Share w = W_1 / (W_1 + W_2) of the lower block's weight that puts the changeover at base friction c: the root in
 // [0, 1] of the same equation; both ends of the interval have opposite signs where c a > b and m < 1.
-template <class T>
-T weight_share_at_boundary(const T& a, const T& b, const T& mu, const T& c) {
-    using std::sqrt;
-    const T m = mu * c;
+inline double weight_share_at_boundary(double a, double b, double mu, double c) {
+    const double m = mu * c;
     // 4 m b w^2 + w [(1 + m)(c a - b) + (1 - m)(c a + b) - 4 m b] - (1 - m)(c a + b) = 0
-    const T quadratic = 4 * m * b;
-    const T constant = (1 - m) * (c * a + b);
-    const T half_linear = ((1 + m) * (c * a - b) + constant - quadratic) / 2;
-    const T root = sqrt(T(half_linear * half_linear + quadratic * constant));
-    return half_linear > 0 ? T(constant / (half_linear + root)) : T((root - half_linear) / quadratic);
+    const double quadratic = 4 * m * b;
+    const double constant = (1 - m) * (c * a + b);
+    const double half_linear = ((1 + m) * (c * a - b) + constant - quadratic) / 2;
+    const double root = std::sqrt(half_linear * half_linear + quadratic * constant);
+    return half_linear > 0 ? constant / (half_linear + root) : (root - half_linear) / quadratic;
 }
 
 }  // namespace delabole::closed_form

@@ -37,7 +37,7 @@ double face_force(double unit_weight, double depth) {
     return unit_weight * depth * depth / 2;
 }
 
-Loads loads_on(const SingleBlock<>& problem) {
+Loads loads_on(const SingleBlock& problem) {
     const double height = problem.block.height;
     const double width = problem.block.width;
     Loads loads;
@@ -51,7 +51,7 @@ Loads loads_on(const SingleBlock<>& problem) {
     loads.overturning = height / 2 * tangential;
     loads.restoring = width / 2 * normal;
     if (problem.water) {
-        const BlockWater<>& water = *problem.water;
+        const BlockWater& water = *problem.water;
         const double behind = water.depth_behind;
         const double front = water.depth_in_front.value_or(0.0);
         const double force_behind = face_force(water.unit_weight, behind);
@@ -88,7 +88,7 @@ struct Onset {
 // The block is of mass 1 / g times its weight: forces over the weight are accelerations in g.
 class RigidBlock {
   public:
-    RigidBlock(const SingleBlock<>& problem, double down_dip, double into_base, double moment, double weight)
+    RigidBlock(const SingleBlock& problem, double down_dip, double into_base, double moment, double weight)
         : height_(problem.block.height),
           width_(problem.block.width),
           friction_(std::tan(problem.base.friction_angle)),
@@ -174,7 +174,7 @@ BlockMotion static_mode_of(const SingleBlockResult& result) {
     return topples ? BlockMotion::topples : BlockMotion::stable;
 }
 
-SingleBlockCheck check_input(const SingleBlock<>& problem) {
+SingleBlockCheck check_input(const SingleBlock& problem) {
     if (!in_range(problem)) {
         return SingleBlockCheck::input_out_of_range;
     }
@@ -189,7 +189,7 @@ double ratio(double resisting, double driving) {
 
 }  // namespace
 
-SingleBlockResult analyse(const SingleBlock<>& problem) {
+SingleBlockResult analyse(const SingleBlock& problem) {
     SingleBlockResult result;
     result.check = check_input(problem);
     if (result.check != SingleBlockCheck::valid) {
@@ -226,9 +226,9 @@ double toe_slip_friction_angle(double inclination, double slenderness_angle) {
                       4 * std::cos(inclination) + 3 * std::sin(slenderness_angle) * beyond);
 }
 
-ModelInterface model_interface(const SingleBlock<>& problem) {
+ModelInterface model_interface(const SingleBlock& problem) {
     return interface_of_function(problem, SingleBlockResult{},
-                                 [](const SingleBlock<>& varied) { return prediction_of(analyse(varied)); });
+                                 [](const SingleBlock& varied) { return prediction_of(analyse(varied)); });
 }
 
 }  // namespace delabole

@@ -36,11 +36,10 @@
 
 namespace delabole {
 
-template <class T = double>
 struct BlockBody {
-    T height;
-    T width;
-    T unit_weight;
+    double height;
+    double width;
+    double unit_weight;
     static constexpr auto fields() {
         return FieldTable{
             number<&BlockBody::height>(Dimension::length, extent_range(), "height, normal to the base"),
@@ -49,11 +48,10 @@ struct BlockBody {
     }
 };
 
-template <class T = double>
 struct BlockBase {
-    T inclination;
-    T friction_angle;
-    T cohesion;
+    double inclination;
+    double friction_angle;
+    double cohesion;
     static constexpr auto fields() {
         return FieldTable{
             number<&BlockBase::inclination>(Dimension::angle, right_open(0, degrees(90)), "inclination of the base"),
@@ -64,11 +62,10 @@ struct BlockBase {
 };
 
 // Pressures at heel and toe follow from the depths; under the base the pressure varies linearly between them.
-template <class T = double>
 struct BlockWater {
-    T unit_weight;
-    T depth_behind;
-    std::optional<T> depth_in_front;
+    double unit_weight;
+    double depth_behind;
+    std::optional<double> depth_in_front;
     static constexpr auto fields() {
         return FieldTable{
             number<&BlockWater::unit_weight>(Dimension::unit_weight, more_than(0), "unit weight of water"),
@@ -80,12 +77,11 @@ struct BlockWater {
     }
 };
 
-template <class T = double>
 struct SingleBlock {
-    BlockBody<T> block;
-    BlockBase<T> base;
-    std::optional<BlockWater<T>> water;
-    std::optional<SeismicLoad<T>> seismic;
+    BlockBody block;
+    BlockBase base;
+    std::optional<BlockWater> water;
+    std::optional<SeismicLoad<>> seismic;
 
     static constexpr std::string_view kind = "single_block";
     static constexpr auto fields() {
@@ -139,13 +135,13 @@ struct SingleBlockResult {
     }
 };
 
-SingleBlockResult analyse(const SingleBlock<>& problem);
+SingleBlockResult analyse(const SingleBlock& problem);
 
 // Friction angle above which a dry block turns about a toe that does not slip. `slenderness_angle` d = atan(b / a) and
 // the inclination lie in (0, 90 deg), the inclination above d.
 double toe_slip_friction_angle(double inclination, double slenderness_angle);
 
 // Inputs: every number of the problem. Outputs: every number of SingleBlockResult.
-ModelInterface model_interface(const SingleBlock<>& problem);
+ModelInterface model_interface(const SingleBlock& problem);
 
 }  // namespace delabole

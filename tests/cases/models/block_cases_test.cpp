@@ -90,7 +90,7 @@ TEST(BlockCases, EveryModeOfARowAnswersByItsLetters) {
 // Answers of long rows do not list thousands of modes, and give the roles in a form that can be read.
 TEST(BlockCases, LongRowsAreSummarised) {
     CaseFile file = parse_case(row_text, "row.toml");
-    auto& row = std::get<BlockRow<>>(file.model);
+    auto& row = std::get<BlockRow>(file.model);
     row.block.assign(1000, row.block.front());
     const Analysis analysis = analyse_model(file.model);
     EXPECT_EQ(std::get<std::string>(analysis.find("search")->value), "bounded");

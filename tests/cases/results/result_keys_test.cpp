@@ -66,8 +66,8 @@ TEST(Impossibility, EveryCheckSaysWhatIsWrong) {
     expect_words_for_checks<WedgeFailureCheck, WedgeFailureStudy>();
     expect_words_for_checks<ColumnCheck, SteppedBaseStudy<>>();
     expect_words_for_checks<SteppedPathCheck, SteppedPath>();
-    expect_words_for_checks<BlockRowCheck, BlockRow<>>();
-    expect_words_for_checks<SingleBlockCheck, SingleBlock<>>();
+    expect_words_for_checks<BlockRowCheck, BlockRow>();
+    expect_words_for_checks<SingleBlockCheck, SingleBlock>();
     expect_words_for_checks<FlexuralCheck, FlexuralSlope>();
     expect_words_for_checks<KinematicsCheck, KinematicsStudy>();
 }
@@ -119,17 +119,17 @@ TEST(ResultKeys, SteppedBase) {
 }
 
 TEST(ResultKeys, BlockRow) {
-    BlockRow<> answered{};
+    BlockRow answered{};
     answered.base = {degrees(15), degrees(30)};
     answered.interface = {degrees(20)};
-    answered.block.assign(3, {3, 1, UnitWeightOfBlock<>{26e3}, {}, {}});
-    BlockRow<> locked = answered;  // phi + psi beyond 90 deg: most modes have no tilt
+    answered.block.assign(3, {3, 1, UnitWeightOfBlock{26e3}, {}, {}});
+    BlockRow locked = answered;  // phi + psi beyond 90 deg: most modes have no tilt
     locked.base.friction_angle = degrees(60);
     locked.interface.friction_angle = degrees(60);
     EXPECT_EQ(keys_of(answered), keys_of(locked));
     EXPECT_EQ(word(locked, "mode.SSP.critical_tilt"), "none");
     // Among rows of three unequal blocks one in fifty has no admissible mode.
-    BlockRow<> without_mode = answered;
+    BlockRow without_mode = answered;
     std::mt19937_64 random(5);
     const auto between = [&](double lower, double upper) {
         return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
@@ -138,7 +138,7 @@ TEST(ResultKeys, BlockRow) {
     for (int trial = 0; trial < 2000 && !found; ++trial) {
         without_mode.base.friction_angle = degrees(between(10, 44));
         without_mode.interface.friction_angle = degrees(between(10, 44));
-        for (RowBlock<>& block : without_mode.block) {
+        for (RowBlock& block : without_mode.block) {
             block.width = between(1, 3);
             block.height = block.width * between(1, 10);
         }
@@ -151,10 +151,10 @@ TEST(ResultKeys, BlockRow) {
 }
 
 TEST(ResultKeys, SingleBlock) {
-    auto problem = example<SingleBlock<>>();
-    SingleBlock<> afloat = problem;
+    auto problem = example<SingleBlock>();
+    SingleBlock afloat = problem;
     afloat.block.unit_weight = 1e3;
-    afloat.water = BlockWater<>{10e3, afloat.block.height, afloat.block.height};
+    afloat.water = BlockWater{10e3, afloat.block.height, afloat.block.height};
     EXPECT_EQ(keys_of(problem), keys_of(afloat));
 }
 
@@ -234,8 +234,8 @@ void expect_lengths_bounded(Model model) {
 TEST(Lengths, AreBoundedInEveryModelOfLimitEquilibrium) {
     expect_lengths_bounded(example<PlaneFailureStudy<>>());
     expect_lengths_bounded(example<SteppedBaseStudy<>>());
-    expect_lengths_bounded(example<BlockRow<>>());
-    expect_lengths_bounded(example<SingleBlock<>>());
+    expect_lengths_bounded(example<BlockRow>());
+    expect_lengths_bounded(example<SingleBlock>());
     expect_lengths_bounded(example<FlexuralSlope>());
     expect_lengths_bounded(example<SteppedPath>());
 }

@@ -152,7 +152,7 @@ TEST(SingleBlockChart, SaysWhatTheModelSays) {
             for (double inclination = 1.3; inclination < 90; inclination += 3) {
                 for (double slenderness = 0.7; slenderness < 90; slenderness += 3) {
                     const auto answer = [&](double shift) {
-                        SingleBlock<> block{};
+                        SingleBlock block{};
                         block.block = {1, std::tan(degrees(slenderness)), 1e4};
                         block.base = {degrees(inclination + shift), degrees(friction), 0};
                         const SingleBlockResult result = analyse(block);

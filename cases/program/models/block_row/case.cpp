@@ -3,7 +3,7 @@
 #include "limit_equilibrium/block_row/block_row.hpp"
 
 namespace delabole {
-void check_case(Checker& checker, const BlockRow<>& row) {
+void check_case(Checker& checker, const BlockRow& row) {
     if (row.block.empty()) {
         checker.complain("block", "is required: at least one [[block]]");
     }

@@ -20,10 +20,10 @@ struct Plane {
 };
 
 // The position of each block's toe along the plane before the motion.
-std::vector<double> toes_of(const BlockRow<>& row) {
+std::vector<double> toes_of(const BlockRow& row) {
     std::vector<double> toes;
     double u = 0;
-    for (const RowBlock<>& block : row.block) {
+    for (const RowBlock& block : row.block) {
         toes.push_back(u);
         u += block.width;
     }
@@ -39,7 +39,7 @@ bool turns(char role) {
 // moves.
 class RowMotion {
   public:
-    RowMotion(const BlockRow<>& row, std::string_view roles, double turn)
+    RowMotion(const BlockRow& row, std::string_view roles, double turn)
         : row_(row), roles_(roles), turn_(turn), toes_(toes_of(row)) {
         outlines_.resize(row.block.size());
         const std::size_t pivot = roles.find_first_of("PB");
@@ -64,7 +64,7 @@ class RowMotion {
 
   private:
     void upright(std::size_t index, double shift) {
-        const RowBlock<>& block = row_.block[index];
+        const RowBlock& block = row_.block[index];
         const double u = toes_[index] + shift;
         outlines_[index] = {Point(u, 0), Point(u + block.width, 0), Point(u + block.width, block.height),
                             Point(u, block.height)};
@@ -83,7 +83,7 @@ class RowMotion {
             if (roles_[index] != row_role::adheres) {
                 unit_toe = toes_[index];
             }
-            const RowBlock<>& block = row_.block[index];
+            const RowBlock& block = row_.block[index];
             const double from = toes_[index] - unit_toe;
             const auto corner = [&](double u, double v) {
                 return Point(moved(unit_toe) + u * cosine - v * sine, u * sine + v * cosine);
@@ -99,7 +99,7 @@ class RowMotion {
         return toes_[first] - moved(toes_[first]) + contact * sine / cosine;
     }
 
-    const BlockRow<>& row_;
+    const BlockRow& row_;
     std::string_view roles_;
     double turn_;
     std::vector<double> toes_;
@@ -125,14 +125,14 @@ DrawnMode drawn_role(char role) {
     }
 }
 
-BlockDrawing row_drawing(const BlockRow<>& row, std::string_view roles, double tilt,
+BlockDrawing row_drawing(const BlockRow& row, std::string_view roles, double tilt,
                          const std::vector<RowBlockForces>& forces, const std::string& title, double turn) {
     BlockDrawing drawing{.title = title, .displaced_legend = "mechanism, displacement enlarged"};
     const Plane plane(tilt);
     const std::vector<double> toes = toes_of(row);
     const RowMotion motion(row, roles, turn);
     for (std::size_t index = 0; index < row.block.size(); ++index) {
-        const RowBlock<>& block = row.block[index];
+        const RowBlock& block = row.block[index];
         DrawnBlock drawn;
         const double u = toes[index];
         for (const Point& corner :

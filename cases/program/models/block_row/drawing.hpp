@@ -14,7 +14,7 @@ DrawnMode drawn_role(char role);
 
 // Blocks at a tilt, coloured by their roles, with the forces of the mode and the blocks after a turn. A mode without a
 // motion, which is only the limit of pressed blocks, shows none. `forces` may be empty.
-BlockDrawing row_drawing(const BlockRow<>& row, std::string_view roles, double tilt,
+BlockDrawing row_drawing(const BlockRow& row, std::string_view roles, double tilt,
                          const std::vector<RowBlockForces>& forces, const std::string& title, double turn = degrees(5));
 
 }  // namespace delabole

@@ -154,7 +154,7 @@ std::string mode_in_words(const std::string& roles) {
 
 }  // namespace
 
-Analysis named_outputs(const BlockRow<>& row, const BlockRowResult& result) {
+Analysis named_outputs(const BlockRow& row, const BlockRowResult& result) {
     Analysis analysis;
     append_outputs(analysis, result.answer);
     for (NamedOutput& output : analysis.outputs) {
@@ -187,7 +187,7 @@ Analysis named_outputs(const BlockRow<>& row, const BlockRowResult& result) {
     return analysis;
 }
 
-HeadCard head_card(const BlockRow<>&, const BlockRowResult& result) {
+HeadCard head_card(const BlockRow&, const BlockRowResult& result) {
     const RowAnswer& answer = result.answer;
     HeadCard head{AnswerTone::bad, {}, {}};
     std::string state = "The row fails: it " + human_name(word_of(answer.state)) + ".";
@@ -205,7 +205,7 @@ HeadCard head_card(const BlockRow<>&, const BlockRowResult& result) {
     return head;
 }
 
-void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, const ResultFolder& folder,
+void append_case_figures(const BlockRow& row, const BlockRowResult& result, const ResultFolder& folder,
                          Report& report) {
     const std::string roles = mode_in_words(result.answer.mode);
     if (result.answer.search == RowSearchKind::upper_bound) {
@@ -238,7 +238,7 @@ void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, co
     folder.write("blocks.csv", blocks_csv(result));
 }
 
-void append_mechanism_figures(const BlockRow<>& at_best, const MechanismFit& fit, const FitProblem&,
+void append_mechanism_figures(const BlockRow& at_best, const MechanismFit& fit, const FitProblem&,
                               const ResultFolder& folder, Report& report) {
     const BlockRowResult result = analyse(at_best);
     if (result.check != BlockRowCheck::valid || result.block.empty() || at_best.block.size() > most_drawn_blocks) {
@@ -250,9 +250,9 @@ void append_mechanism_figures(const BlockRow<>& at_best, const MechanismFit& fit
                     fit.name + "_mode", "The governing mode at the best point."));
 }
 
-Impossibility impossibility(const BlockRow<>& row, std::string_view failure) {
+Impossibility impossibility(const BlockRow& row, std::string_view failure) {
     const std::string count = std::to_string(row.block.size());
-    Impossibility found = stated_impossibility(BlockRow<>::kind, failure);
+    Impossibility found = stated_impossibility(BlockRow::kind, failure);
     if (failure == word_of(BlockRowCheck::too_many_blocks)) {
         found.words += ": there are " + count;
     } else if (failure == word_of(BlockRowCheck::no_admissible_mode) && row.block.size() > most_bounded_row) {

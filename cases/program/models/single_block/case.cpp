@@ -3,7 +3,7 @@
 #include "cases/program/reader/units.hpp"
 
 namespace delabole {
-void check_case(Checker& checker, const SingleBlock<>& problem) {
+void check_case(Checker& checker, const SingleBlock& problem) {
     if (!problem.water) {
         return;
     }

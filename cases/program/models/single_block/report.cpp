@@ -29,7 +29,7 @@ DrawnMode drawn(BlockMotion motion) {
     return DrawnMode::plain;
 }
 
-BlockDrawing block_drawing(const SingleBlock<>& problem, const SingleBlockResult& result) {
+BlockDrawing block_drawing(const SingleBlock& problem, const SingleBlockResult& result) {
     const double inclination = problem.base.inclination;
     const Point along(std::cos(inclination), std::sin(inclination));
     const Point up(-along.y(), along.x());
@@ -52,13 +52,13 @@ BlockDrawing block_drawing(const SingleBlock<>& problem, const SingleBlockResult
     return drawing;
 }
 
-bool dry_and_at_rest(const SingleBlock<>& problem) {
+bool dry_and_at_rest(const SingleBlock& problem) {
     return !problem.water && !problem.seismic && problem.base.cohesion == 0 && problem.base.friction_angle > degrees(1);
 }
 
 }  // namespace
 
-Analysis named_outputs(const SingleBlock<>&, const SingleBlockResult& result) {
+Analysis named_outputs(const SingleBlock&, const SingleBlockResult& result) {
     Analysis analysis;
     append_outputs(analysis, result);
     if (result.static_mode != result.onset_mode) {
@@ -69,7 +69,7 @@ Analysis named_outputs(const SingleBlock<>&, const SingleBlockResult& result) {
     return analysis;
 }
 
-HeadCard head_card(const SingleBlock<>&, const SingleBlockResult& result) {
+HeadCard head_card(const SingleBlock&, const SingleBlockResult& result) {
     const bool stands = result.onset_mode == BlockMotion::stable;
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
     head.sentences = {stands ? "The block stands." : "The block " + human_name(word_of(result.onset_mode)) + ".",
@@ -78,7 +78,7 @@ HeadCard head_card(const SingleBlock<>&, const SingleBlockResult& result) {
     return head;
 }
 
-void append_case_figures(const SingleBlock<>& problem, const SingleBlockResult& result, const ResultFolder& folder,
+void append_case_figures(const SingleBlock& problem, const SingleBlockResult& result, const ResultFolder& folder,
                          Report& report) {
     report.blocks.emplace_back(folder.draw(block_figure(block_drawing(problem, result)), "block",
                                            "Weight with the earthquake's inertia and, where the block stands, the "
@@ -97,7 +97,7 @@ void append_case_figures(const SingleBlock<>& problem, const SingleBlockResult& 
         "What a dry block released from rest does, over inclination and slenderness angle atan(width / height)."));
 }
 
-void append_mechanism_figures(const SingleBlock<>& at_best, const MechanismFit& fit, const FitProblem&,
+void append_mechanism_figures(const SingleBlock& at_best, const MechanismFit& fit, const FitProblem&,
                               const ResultFolder& folder, Report& report) {
     const SingleBlockResult result = analyse(at_best);
     if (result.check == SingleBlockCheck::valid) {
@@ -106,9 +106,9 @@ void append_mechanism_figures(const SingleBlock<>& at_best, const MechanismFit& 
     }
 }
 
-Impossibility impossibility(const SingleBlock<>& problem, std::string_view failure) {
+Impossibility impossibility(const SingleBlock& problem, std::string_view failure) {
     if (value_of<SingleBlockCheck>(failure) != SingleBlockCheck::water_above_block) {
-        return stated_impossibility(SingleBlock<>::kind, failure);
+        return stated_impossibility(SingleBlock::kind, failure);
     }
     const bool behind = problem.water && problem.water->depth_behind > problem.block.height;
     return {{behind ? "water.depth_behind" : "water.depth_in_front", "block.height"},

@@ -87,8 +87,8 @@ Figure driving_figure(const std::vector<GroundwaterTest>& tests) {
     return figure;
 }
 
-SingleBlock<> column_on_plane(double inclination, double slenderness, double friction, double density) {
-    SingleBlock<> block{};
+SingleBlock column_on_plane(double inclination, double slenderness, double friction, double density) {
+    SingleBlock block{};
     block.block = {.height = 1, .width = std::tan(slenderness), .unit_weight = density * gravity};
     block.base = {inclination, friction, 0};
     return block;

@@ -29,11 +29,11 @@ namespace {
 // Returns nothing if no mode is admissible (block_row_search.hpp tells when that may be).
 std::optional<RowAnswer> row_answer(const std::vector<double>& heights, double interface_friction,
                                     double base_friction) {
-    BlockRow<> row{};
+    BlockRow row{};
     row.base = {degrees(10), base_friction};
     row.interface = {interface_friction};
     for (const double height : heights) {
-        row.block.push_back({height * inch, inch, UnitWeightOfBlock<>{13e3}, {}, {}});
+        row.block.push_back({height * inch, inch, UnitWeightOfBlock{13e3}, {}, {}});
     }
     const BlockRowResult result = analyse(row);
     const bool has_mode = result.check == BlockRowCheck::valid && result.answer.search != RowSearchKind::upper_bound;

@@ -18,7 +18,7 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report);
 Reproduction reproduce_equations_14_to_19(const ResultFolder& folder, Report& report);
 
 // Makes blocks of width 1 m and equal weight; angles of friction are in degrees.
-BlockRow<> equal_row(int count, double slenderness, double interface_friction, double base_friction);
+BlockRow equal_row(int count, double slenderness, double interface_friction, double base_friction);
 
 // A printed angle beside the computed one, degrees.
 PrintedRow angle_row(const std::string& what, double printed, double computed, const std::string& remark);

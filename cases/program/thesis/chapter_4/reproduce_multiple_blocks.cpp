@@ -12,11 +12,11 @@
 
 namespace delabole {
 
-BlockRow<> equal_row(int count, double slenderness, double interface_friction, double base_friction) {
-    BlockRow<> row{};
+BlockRow equal_row(int count, double slenderness, double interface_friction, double base_friction) {
+    BlockRow row{};
     row.base = {degrees(10), degrees(base_friction)};
     row.interface = {degrees(interface_friction)};
-    row.block.assign(static_cast<std::size_t>(count), {slenderness, 1, WeightOfBlock<>{1e3}, {}, {}});
+    row.block.assign(static_cast<std::size_t>(count), {slenderness, 1, WeightOfBlock{1e3}, {}, {}});
     return row;
 }
 
@@ -128,7 +128,7 @@ Figure mode_gallery(int count) {
 }
 
 Line mode_line(double slenderness, const std::string& legend, Colour colour, Dash dash,
-               double (*formula)(const double&, const double&, const double&, const double&)) {
+               double (*formula)(double, double, double, double)) {
     const auto tilt = [&](double friction) {
         return tilt_or_gap(formula(slenderness, 1.0, tangent(friction), tangent(friction)));
     };
@@ -185,13 +185,13 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
         Figure figure = tilt_figure("Fig 4.10: three blocks, a/b = " + words, "friction φ = ψ", "deg");
         figure.x.range = figure.y.range = std::pair{5.0, 47.0};
         figure.series.emplace_back(mode_line(ratio, "(a) as printed, (14) = (8)", Colour::grey, Dash::dashed,
-                                             closed_form::two_equal_blocks_forward<double>));
-        figure.series.emplace_back(mode_line(ratio, "(a) FFP as derived", Colour::blue, Dash::solid,
-                                             closed_form::three_blocks_two_forward<double>));
-        figure.series.emplace_back(mode_line(ratio, "(b) FPB, (15)", Colour::green, Dash::solid,
-                                             closed_form::three_blocks_forward_backward<double>));
-        figure.series.emplace_back(mode_line(ratio, "(c) PBB, (16)", Colour::vermilion, Dash::solid,
-                                             closed_form::three_blocks_two_backward<double>));
+                                             closed_form::two_equal_blocks_forward));
+        figure.series.emplace_back(
+            mode_line(ratio, "(a) FFP as derived", Colour::blue, Dash::solid, closed_form::three_blocks_two_forward));
+        figure.series.emplace_back(
+            mode_line(ratio, "(b) FPB, (15)", Colour::green, Dash::solid, closed_form::three_blocks_forward_backward));
+        figure.series.emplace_back(
+            mode_line(ratio, "(c) PBB, (16)", Colour::vermilion, Dash::solid, closed_form::three_blocks_two_backward));
         report.blocks.emplace_back(folder.draw(figure, "fig_4_10_ratio_" + words, "Tilt by mode, blocks in contact."));
         const auto line = [&](std::size_t index) -> const Polyline& {
             return std::get<Line>(figure.series[index]).points;

@@ -26,10 +26,10 @@ RandomRow random_row(RandomProblem& random, int count) {
 }
 
 RowAnswer answer_of(const RandomRow& problem) {
-    BlockRow<> row{};
+    BlockRow row{};
     row.base = {degrees(1), problem.base_friction};
     row.interface = {problem.interface_friction};
-    row.block.assign(static_cast<std::size_t>(problem.count), {problem.slenderness, 1, WeightOfBlock<>{1e4}, {}, {}});
+    row.block.assign(static_cast<std::size_t>(problem.count), {problem.slenderness, 1, WeightOfBlock{1e4}, {}, {}});
     const BlockRowResult result = analyse(row);
     EXPECT_EQ(result.check, BlockRowCheck::valid);
     return result.answer;

@@ -24,13 +24,13 @@ TEST(BlockRowReference, TiltsToFiftyDigits) {
     RandomProblem random(19);
     int compared = 0;
     for (int count = 0; count < 300; ++count) {
-        BlockRow<> row{};
+        BlockRow row{};
         row.base = {0, degrees(random.uniform(1, 44))};
         row.interface = {degrees(random.uniform(1, 44))};
         for (int blocks = 1 + random.pick(4); blocks > 0; --blocks) {
             const double width = random.logarithmic(1, 3);
             row.block.push_back(
-                {width * random.logarithmic(0.5, 10), width, WeightOfBlock<>{random.uniform(1, 5)}, {}, {}});
+                {width * random.logarithmic(0.5, 10), width, WeightOfBlock{random.uniform(1, 5)}, {}, {}});
         }
         const RowSearchResult<double> rounded = RowSearch<double>(row_members(row)).search();
         const RowSearchResult<Real> reference = RowSearch<Real>(exact(row_members(row))).search();

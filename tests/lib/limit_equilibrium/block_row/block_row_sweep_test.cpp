@@ -37,8 +37,8 @@ struct Kind {
     int most = 6;
 };
 
-BlockRow<> random_row(RandomProblem& random, const Kind& kind) {
-    BlockRow<> row{};
+BlockRow random_row(RandomProblem& random, const Kind& kind) {
+    BlockRow row{};
     const auto friction = [&] { return degrees(kind.extreme ? random.uniform(0, 89.9) : random.uniform(10, 44)); };
     row.base = {degrees(1), friction()};
     row.interface = {friction()};
@@ -49,24 +49,24 @@ BlockRow<> random_row(RandomProblem& random, const Kind& kind) {
         }
         const double width = kind.extreme ? random.logarithmic(0.1, 10) : random.uniform(1, 3);
         const double slenderness = kind.extreme ? random.logarithmic(0.05, 100) : random.logarithmic(1, 10);
-        row.block.push_back({width * slenderness, width, UnitWeightOfBlock<>{unit_weight}, {}, {}});
+        row.block.push_back({width * slenderness, width, UnitWeightOfBlock{unit_weight}, {}, {}});
     }
     return row;
 }
 
-std::string described(const BlockRow<>& row) {
+std::string described(const BlockRow& row) {
     std::ostringstream text;
     text.precision(17);
     text << "base " << row.base.friction_angle << ", interface " << row.interface.friction_angle << ", width x height";
-    for (const RowBlock<>& block : row.block) {
+    for (const RowBlock& block : row.block) {
         text << ' ' << block.width << " x " << block.height;
     }
     return text.str();
 }
 
-double bound_of(const BlockRow<>& row) {
+double bound_of(const BlockRow& row) {
     std::vector<RectangularBlock> blocks;
-    for (const RowBlock<>& block : row.block) {
+    for (const RowBlock& block : row.block) {
         blocks.push_back({block.width, block.height, unit_weight * block.width * block.height});
     }
     const LpBound bound = largest_tilt(assemble_row(blocks, {row.base.friction_angle, row.interface.friction_angle}));
@@ -75,10 +75,10 @@ double bound_of(const BlockRow<>& row) {
 }
 
 // The row on a plane at `tilt`, as the recursion takes it.
-ColumnSlope<> columns_at(double tilt, const BlockRow<>& row) {
+ColumnSlope<> columns_at(double tilt, const BlockRow& row) {
     ColumnScene<> scene{};
     BlockColumns<> layout{degrees(90) - tilt, {}};
-    for (const RowBlock<>& block : row.block) {
+    for (const RowBlock& block : row.block) {
         layout.block.push_back({block.height, block.width, 0, {}});
     }
     scene.columns = layout;
@@ -96,7 +96,7 @@ struct RecursionAnswer {
 };
 
 // The least tilt at which the recursion lets the lowest block move.
-RecursionAnswer recursion(const BlockRow<>& row) {
+RecursionAnswer recursion(const BlockRow& row) {
     const ColumnStrength<> strength{std::tan(row.interface.friction_angle), std::tan(row.base.friction_angle), 0};
     const auto moves = [&](double tilt) {
         const ColumnSlope<> slope = columns_at(tilt, row);
@@ -138,7 +138,7 @@ struct Exceptions {
     int recursion_above_bound = 0;   // of these
 };
 
-void compare_modes_and_bound(const BlockRow<>& row, const BlockRowResult& modes, double bound, Exceptions& exceptions) {
+void compare_modes_and_bound(const BlockRow& row, const BlockRowResult& modes, double bound, Exceptions& exceptions) {
     ASSERT_EQ(modes.check, BlockRowCheck::valid) << described(row);
     if (modes.answer.search == RowSearchKind::upper_bound) {
         ++exceptions.without_mode;
@@ -156,7 +156,7 @@ void compare_modes_and_bound(const BlockRow<>& row, const BlockRowResult& modes,
         << modes.answer.mode_in_contact << ' ' << described(row);
 }
 
-void compare_recursion(const BlockRow<>& row, const BlockRowResult& modes, double bound, Exceptions& exceptions) {
+void compare_recursion(const BlockRow& row, const BlockRowResult& modes, double bound, Exceptions& exceptions) {
     const RecursionAnswer found = recursion(row);
     exceptions.recursion_inadmissible += found.admissible ? 0 : 1;
     if (found.tilt > bound + accuracy) {
@@ -170,8 +170,8 @@ void compare_recursion(const BlockRow<>& row, const BlockRowResult& modes, doubl
     }
 }
 
-void compare_equal_blocks(const BlockRow<>& row, const BlockRowResult& modes, double bound) {
-    const RowBlock<>& block = row.block.front();
+void compare_equal_blocks(const BlockRow& row, const BlockRowResult& modes, double bound) {
+    const RowBlock& block = row.block.front();
     const double alone = std::min(std::atan(block.width / block.height), row.base.friction_angle);
     EXPECT_NEAR(modes.answer.critical_tilt, alone, accuracy) << described(row);
     const double psi_and_phi = row.base.friction_angle + row.interface.friction_angle;
@@ -196,7 +196,7 @@ Exceptions sweep(const Kind& kind, std::uint64_t seed) {
     RandomProblem random(seed);
     Exceptions exceptions;
     for (int count = 0; count < rows_of_each; ++count) {
-        const BlockRow<> row = random_row(random, kind);
+        const BlockRow row = random_row(random, kind);
         const BlockRowResult modes = analyse(row);
         const double bound = bound_of(row);
         compare_modes_and_bound(row, modes, bound, exceptions);
@@ -251,7 +251,7 @@ TEST(BlockRowSweep, UnequalBlocksAtTheExtremes) {
 TEST(BlockRowSweep, LongRows) {
     RandomProblem random(504);
     for (int count = 0; count < 400; ++count) {
-        const BlockRow<> row = random_row(random, {count % 2 == 0, count % 4 >= 2, 17, 30});
+        const BlockRow row = random_row(random, {count % 2 == 0, count % 4 >= 2, 17, 30});
         const BlockRowResult modes = analyse(row);
         Exceptions exceptions;
         compare_modes_and_bound(row, modes, bound_of(row), exceptions);

@@ -18,11 +18,11 @@ namespace {
 // Closed forms of some dozen operations.
 constexpr double rounding = 1e-13;
 
-BlockRow<> equal_row(int count, double slenderness, double interface_friction, double base_friction) {
-    BlockRow<> row{};
+BlockRow equal_row(int count, double slenderness, double interface_friction, double base_friction) {
+    BlockRow row{};
     row.base = {degrees(1), degrees(base_friction)};
     row.interface = {degrees(interface_friction)};
-    row.block.assign(static_cast<std::size_t>(count), {slenderness, 1, WeightOfBlock<>{1}, {}, {}});
+    row.block.assign(static_cast<std::size_t>(count), {slenderness, 1, WeightOfBlock{1}, {}, {}});
     return row;
 }
 
@@ -69,8 +69,8 @@ double two_blocks_equal_thrusts(double w1, double w2, double mu, double c) {
 }
 
 TEST(BlockRow, UnequalWeightsAreEquations7And10And11) {
-    BlockRow<> row = equal_row(2, 9, 35, 25);
-    row.block[0].mass = WeightOfBlock<>{1.3};
+    BlockRow row = equal_row(2, 9, 35, 25);
+    row.block[0].mass = WeightOfBlock{1.3};
     const BlockRowResult result = analyse(row);
     const double mu = tangent(35);
     const double c = tangent(25);
@@ -133,7 +133,7 @@ TEST(BlockRow, PrintedAgainstDerived) {
 TEST(BlockRow, MetastableAtTheBaseFrictionOfTheSingleBlock) {
     for (const int count : {2, 3, 4, 7, 16}) {
         for (const double phi : {0.0, 10.0, 35.0, 60.0}) {
-            BlockRow<> row = equal_row(count, 3, phi, 0);
+            BlockRow row = equal_row(count, 3, phi, 0);
             row.base.friction_angle = std::atan(1.0 / 3);
             const BlockRowResult result = analyse(row);
             EXPECT_NEAR(result.answer.critical_tilt, std::atan(1.0 / 3), rounding);
@@ -215,7 +215,7 @@ TEST(BlockRow, WeightRatioBehindThePrintedBoundaries) {
 
 // Thesis 4.2, case 4, Fig 3.5: a more slender lower block falls away alone; a more slender upper one has to push.
 TEST(BlockRow, UnequalBlocks) {
-    BlockRow<> row = equal_row(2, 3, 20, 30);
+    BlockRow row = equal_row(2, 3, 20, 30);
     row.block[0].height = 5;
     EXPECT_EQ(analyse(row).answer.mode, "P0");
     EXPECT_NEAR(analyse(row).answer.critical_tilt, std::atan(0.2), rounding);
@@ -223,12 +223,12 @@ TEST(BlockRow, UnequalBlocks) {
     EXPECT_GT(analyse(row).answer.critical_tilt, std::atan(0.2));
     // Over a neighbour of almost no height the block falls by itself, but for pushing that neighbour.
     row.block[0].height = 1e-9;
-    row.block[0].mass = WeightOfBlock<>{1e-9};
+    row.block[0].mass = WeightOfBlock{1e-9};
     EXPECT_NEAR(analyse(row).answer.critical_tilt, std::atan(0.2), 1e-8);
 }
 
 TEST(BlockRow, StateAtTheInclination) {
-    BlockRow<> row = equal_row(2, 3, 20, 30);
+    BlockRow row = equal_row(2, 3, 20, 30);
     const auto state = [&](double inclination) {
         row.base.inclination = degrees(inclination);
         return analyse(row).answer.state;
@@ -249,8 +249,8 @@ TEST(BlockRow, LocksAtNinetyDegrees) {
     EXPECT_NEAR(mode_of(analyse(equal_row(2, 3, 45, 45)), "FP").critical_tilt, degrees(45), 1e-12);
 }
 
-BlockRow<> random_row(RandomProblem& random, int most) {
-    BlockRow<> row{};
+BlockRow random_row(RandomProblem& random, int most) {
+    BlockRow row{};
     row.base = {degrees(random.uniform(0, 89)), degrees(random.uniform(0, 89.9))};
     row.interface = {degrees(random.uniform(0, 89.9))};
     if (random.chance(0.5)) {
@@ -259,7 +259,7 @@ BlockRow<> random_row(RandomProblem& random, int most) {
     }
     for (int count = 1 + random.pick(most); count > 0; --count) {
         const double width = random.logarithmic(1e-3, 1e3) * (random.chance(0.8) ? 0 : 1) + random.uniform(1, 3);
-        RowBlock<> block{width * random.logarithmic(0.05, 100), width, UnitWeightOfBlock<>{25e3}, {}, {}};
+        RowBlock block{width * random.logarithmic(0.05, 100), width, UnitWeightOfBlock{25e3}, {}, {}};
         if (random.chance(0.2)) {
             block.base_friction_angle = degrees(random.uniform(0, 89.9));
         }
@@ -272,7 +272,7 @@ BlockRow<> random_row(RandomProblem& random, int most) {
 }
 
 // Force and moment balance of every moving block from the printed forces alone, and the laws of contact.
-void expect_equilibrium(const BlockRow<>& row, const BlockRowResult& result) {
+void expect_equilibrium(const BlockRow& row, const BlockRowResult& result) {
     const std::vector<RowMember<double>> members = row_members(row);
     const double sine = std::sin(result.answer.critical_tilt);
     const double cosine = std::cos(result.answer.critical_tilt);
@@ -316,7 +316,7 @@ TEST(BlockRow, EveryAnswerIsInEquilibrium) {
     int answered = 0;
     int unanswered = 0;
     for (int count = 0; count < 10000; ++count) {
-        const BlockRow<> row = random_row(random, 5);
+        const BlockRow row = random_row(random, 5);
         const BlockRowResult result = analyse(row);
         if (result.check == BlockRowCheck::no_admissible_mode) {
             ++unanswered;
@@ -344,7 +344,7 @@ TEST(BlockRow, WithoutAModeTheBoundIsTheAnswer) {
     RandomProblem random(11);
     int bounded = 0;
     for (int count = 0; count < 500; ++count) {
-        BlockRow<> row{};
+        BlockRow row{};
         row.base = {degrees(1), degrees(random.uniform(10, 40))};
         row.interface = {degrees(random.uniform(10, 40))};
         const int blocks = count < 450 ? 3 + random.pick(3) : 7 + random.pick(34);
@@ -352,7 +352,7 @@ TEST(BlockRow, WithoutAModeTheBoundIsTheAnswer) {
         for (int block = 0; block < blocks; ++block) {
             const double width = random.uniform(1, 3);
             const double height = width * random.uniform(1, 8);
-            row.block.push_back({height, width, UnitWeightOfBlock<>{25e3}, {}, {}});
+            row.block.push_back({height, width, UnitWeightOfBlock{25e3}, {}, {}});
             alone = std::min(alone, std::atan(width / height));
         }
         BlockRowResult result = analyse(row);
@@ -382,9 +382,9 @@ TEST(BlockRow, WithoutAModeTheBoundIsTheAnswer) {
 TEST(BlockRow, Similarity) {
     RandomProblem random(5);
     for (int count = 0; count < 1000; ++count) {
-        const BlockRow<> row = random_row(random, 5);
-        BlockRow<> larger = row;
-        for (RowBlock<>& block : larger.block) {
+        const BlockRow row = random_row(random, 5);
+        BlockRow larger = row;
+        for (RowBlock& block : larger.block) {
             block.height *= 4;
             block.width *= 4;
         }

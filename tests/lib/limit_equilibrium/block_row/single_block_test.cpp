@@ -13,7 +13,7 @@ namespace {
 // Chains of a dozen operations.
 constexpr double rounding = 1e-13;
 
-SingleBlock<> block(double height, double width, double inclination, double friction) {
+SingleBlock block(double height, double width, double inclination, double friction) {
     return {{height, width, 25e3}, {degrees(inclination), degrees(friction), 0}, {}, {}};
 }
 
@@ -70,7 +70,7 @@ TEST(SingleBlock, AccelerationsOfTextbookMotions) {
 
 // An earthquake is a turn of gravity: k_h = tan(d) with k_v = 0 acts as a tilt by d and a weight larger by 1 / cos(d).
 TEST(SingleBlock, EarthquakeIsATilt) {
-    SingleBlock<> shaken = block(3, 2, 10, 25);
+    SingleBlock shaken = block(3, 2, 10, 25);
     shaken.seismic = SeismicLoad<>{std::tan(degrees(12)), 0};
     const SingleBlockResult tilted = analyse(block(3, 2, 22, 25));
     const SingleBlockResult result = analyse(shaken);
@@ -81,7 +81,7 @@ TEST(SingleBlock, EarthquakeIsATilt) {
 }
 
 TEST(SingleBlock, CohesionHoldsUntilTheBaseOpens) {
-    SingleBlock<> glued = block(1, 2, 40, 10);
+    SingleBlock glued = block(1, 2, 40, 10);
     const double driving = 50e3 * std::sin(degrees(40));
     const double friction = 50e3 * std::cos(degrees(40)) * std::tan(degrees(10));
     glued.base.cohesion = (driving - friction) / 2 * 1.0001;
@@ -94,8 +94,8 @@ TEST(SingleBlock, CohesionHoldsUntilTheBaseOpens) {
 
 // Water of one depth on both sides on a level base gives no net push, and its pressure lifts the whole base.
 TEST(SingleBlock, WaterOnBothSidesOnlyLifts) {
-    SingleBlock<> drowned = block(2, 1, 0, 30);
-    drowned.water = BlockWater<>{10e3, 1.5, 1.5};
+    SingleBlock drowned = block(2, 1, 0, 30);
+    drowned.water = BlockWater{10e3, 1.5, 1.5};
     const SingleBlockResult result = analyse(drowned);
     EXPECT_NEAR(result.driving_force, 0, rounding);
     EXPECT_NEAR(result.normal_force, 50e3 - 15e3, 1e-8);  // forces of 1e5
@@ -111,9 +111,9 @@ TEST(SingleBlock, WaterOnBothSidesOnlyLifts) {
 }
 
 TEST(SingleBlock, HeavyUpliftLiftsOff) {
-    SingleBlock<> light = block(2, 1, 0, 30);
+    SingleBlock light = block(2, 1, 0, 30);
     light.block.unit_weight = 1e3;
-    light.water = BlockWater<>{10e3, 2, 2.0};
+    light.water = BlockWater{10e3, 2, 2.0};
     EXPECT_EQ(analyse(light).onset_mode, BlockMotion::lifts_off);
     EXPECT_EQ(analyse(light).static_mode, BlockMotion::lifts_off);
 }
@@ -128,7 +128,7 @@ TEST(SingleBlock, BadInputIsNamed) {
 TEST(SingleBlock, InvariantsOverTheExtremes) {
     RandomProblem random(7);
     for (int count = 0; count < 10000; ++count) {
-        SingleBlock<> problem = block(1, 1, 0, 0);
+        SingleBlock problem = block(1, 1, 0, 0);
         problem.block.width = random.logarithmic(1e-3, 1e3);
         problem.block.height = problem.block.width * random.logarithmic(0.05, 100);
         problem.base.inclination = degrees(random.uniform(0, 89.9));
@@ -140,7 +140,7 @@ TEST(SingleBlock, InvariantsOverTheExtremes) {
             problem.seismic = SeismicLoad<>{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};
         }
         if (random.chance(0.3)) {
-            problem.water = BlockWater<>{9810, problem.block.height * random.uniform(0, 1), {}};
+            problem.water = BlockWater{9810, problem.block.height * random.uniform(0, 1), {}};
         }
         const SingleBlockResult result = analyse(problem);
         ASSERT_EQ(result.check, SingleBlockCheck::valid);
@@ -148,7 +148,7 @@ TEST(SingleBlock, InvariantsOverTheExtremes) {
         if (!problem.seismic && !problem.water) {
             EXPECT_EQ(result.onset_mode == BlockMotion::stable, result.static_mode == BlockMotion::stable) << count;
         }
-        SingleBlock<> larger = problem;
+        SingleBlock larger = problem;
         larger.block.height *= 8;
         larger.block.width *= 8;
         larger.base.cohesion *= 8;
@@ -158,7 +158,7 @@ TEST(SingleBlock, InvariantsOverTheExtremes) {
         const SingleBlockResult scaled = analyse(larger);
         EXPECT_EQ(scaled.onset_mode, result.onset_mode);
         EXPECT_EQ(scaled.angular_acceleration, result.angular_acceleration);  // powers of two are exact
-        SingleBlock<> heavier = problem;
+        SingleBlock heavier = problem;
         heavier.block.unit_weight *= 4;
         heavier.base.cohesion *= 4;
         if (heavier.water) {
