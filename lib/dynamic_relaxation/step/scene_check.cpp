@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 namespace delabole {
@@ -22,26 +23,42 @@ constexpr double stiffest = 1e13;  // stiffness over the same; above it an overl
 constexpr double greatest_friction = 89.95;
 constexpr double straight = 1e-9;  // sine of a corner's turn
 
-bool finite(const PlanePoint<>& point) {
-    return std::isfinite(point.x()) && std::isfinite(point.y());
+bool finite(std::initializer_list<double> numbers) {
+    return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
 }
 
-bool increasing(const std::vector<TimedVector>& record) {
-    for (std::size_t index = 1; index < record.size(); ++index) {
-        if (!(record[index].time > record[index - 1].time)) {
-            return false;
-        }
-    }
-    return true;
+bool finite(const PlanePoint<>& point) {
+    return finite({point.x(), point.y()});
 }
 
 bool finite(const std::vector<TimedVector>& record) {
-    return std::all_of(record.begin(), record.end(),
-                       [](const TimedVector& entry) { return std::isfinite(entry.time) && finite(entry.value); });
+    return std::ranges::all_of(
+        record, [](const TimedVector& entry) { return std::isfinite(entry.time) && finite(entry.value); });
+}
+
+bool increasing(const std::vector<TimedVector>& record) {
+    const auto not_after = [](const TimedVector& entry, const TimedVector& next) { return !(next.time > entry.time); };
+    return std::ranges::adjacent_find(record, not_after) == record.end();
+}
+
+bool is_friction(double angle) {
+    return angle >= 0 && angle <= degrees(greatest_friction);
+}
+
+// The first item for which `check_of` is not valid.
+template <class Items, class CheckOf>
+SceneFault first_fault(const Items& items, const CheckOf& check_of) {
+    for (std::size_t index = 0; index < items.size(); ++index) {
+        const SceneCheck check = check_of(items[index]);
+        if (check != SceneCheck::valid) {
+            return {check, index};
+        }
+    }
+    return {};
 }
 
 SceneCheck check_outline(const Polygon<>& outline) {
-    if (!std::all_of(outline.begin(), outline.end(), [](const PlanePoint<>& vertex) { return finite(vertex); })) {
+    if (!std::ranges::all_of(outline, [](const PlanePoint<>& vertex) { return finite(vertex); })) {
         return SceneCheck::number_not_finite;
     }
     const std::size_t count = outline.size();
@@ -72,57 +89,49 @@ SceneCheck check_outline(const Polygon<>& outline) {
 
 SceneCheck check_material(const JointMaterial& joint) {
     const double residual = joint.residual_friction_angle.value_or(joint.friction_angle);
-    for (const double number : {joint.normal_stiffness, joint.shear_stiffness, joint.friction_angle, residual,
-                                joint.cohesion, joint.tensile_strength, joint.residual_cohesion}) {
-        if (!std::isfinite(number)) {
-            return SceneCheck::number_not_finite;
-        }
-    }
-    if (!(joint.normal_stiffness > 0) || !(joint.shear_stiffness > 0)) {
-        return SceneCheck::stiffness_not_positive;
-    }
-    if (joint.friction_angle < 0 || joint.friction_angle > degrees(greatest_friction) || residual < 0 ||
-        residual > joint.friction_angle) {
-        return SceneCheck::friction_out_of_range;
-    }
-    return joint.residual_cohesion < 0 || joint.cohesion < joint.residual_cohesion || joint.tensile_strength < 0
-               ? SceneCheck::strength_negative
-               : SceneCheck::valid;
+    const bool numbers = finite({joint.normal_stiffness, joint.shear_stiffness, joint.friction_angle, residual,
+                                 joint.cohesion, joint.tensile_strength, joint.residual_cohesion});
+    const bool frictions = is_friction(joint.friction_angle) && residual >= 0 && residual <= joint.friction_angle;
+    const bool strengths =
+        joint.residual_cohesion >= 0 && joint.cohesion >= joint.residual_cohesion && joint.tensile_strength >= 0;
+    return !numbers                                                     ? SceneCheck::number_not_finite
+           : !(joint.normal_stiffness > 0 && joint.shear_stiffness > 0) ? SceneCheck::stiffness_not_positive
+           : !frictions                                                 ? SceneCheck::friction_out_of_range
+           : !strengths                                                 ? SceneCheck::strength_negative
+                                                                        : SceneCheck::valid;
+}
+
+SceneFault check_gravity(const RelaxationScene& scene) {
+    const Gravity& gravity = scene.gravity;
+    const bool numbers =
+        finite({gravity.acceleration, gravity.tilt, gravity.final_tilt, gravity.rate, gravity.interval, gravity.start});
+    const bool negative = gravity.acceleration < 0 || gravity.rate < 0 || gravity.interval < 0;
+    return {!numbers ? SceneCheck::number_not_finite : negative ? SceneCheck::load_out_of_range : SceneCheck::valid};
 }
 
 SceneFault check_materials(const RelaxationScene& scene) {
-    for (std::size_t index = 0; index < scene.material.size(); ++index) {
-        const SceneCheck check = check_material(scene.material[index]);
-        if (check != SceneCheck::valid) {
-            return {check, index};
-        }
-    }
-    return {};
+    return first_fault(scene.material, check_material);
 }
 
 SceneFault check_blocks(const RelaxationScene& scene) {
+    if (scene.material.empty()) {
+        return {SceneCheck::unknown_material};
+    }
     double longest = 0;
     double shortest = std::numeric_limits<double>::infinity();
     bool any_free = false;
-    for (std::size_t index = 0; index < scene.block.size(); ++index) {
-        const RelaxationBlock& block = scene.block[index];
+    const auto unknown = [&](std::size_t material) { return material >= scene.material.size(); };
+    const SceneFault fault = first_fault(scene.block, [&](const RelaxationBlock& block) {
         const SceneCheck outline = check_outline(block.outline);
-        if (outline != SceneCheck::valid) {
-            return {outline, index};
-        }
-        if (!std::isfinite(block.density)) {
-            return {SceneCheck::number_not_finite, index};
-        }
-        if (!(block.density > 0)) {
-            return {SceneCheck::density_not_positive, index};
-        }
-        if (!block.joint.empty() && block.joint.size() != block.outline.size()) {
-            return {SceneCheck::unknown_edge, index};
-        }
-        for (const std::size_t material : block.joint) {
-            if (material >= scene.material.size()) {
-                return {SceneCheck::unknown_material, index};
-            }
+        const SceneCheck check = outline != SceneCheck::valid    ? outline
+                                 : !std::isfinite(block.density) ? SceneCheck::number_not_finite
+                                 : !(block.density > 0)          ? SceneCheck::density_not_positive
+                                 : !block.joint.empty() && block.joint.size() != block.outline.size()
+                                     ? SceneCheck::unknown_edge
+                                 : std::ranges::any_of(block.joint, unknown) ? SceneCheck::unknown_material
+                                                                             : SceneCheck::valid;
+        if (check != SceneCheck::valid) {
+            return check;
         }
         any_free |= !block.fixed;
         double perimeter = 0;
@@ -132,181 +141,148 @@ SceneFault check_blocks(const RelaxationScene& scene) {
             perimeter += edge;
         }
         longest = block.fixed ? longest : std::max(longest, perimeter / 2);
-        if (!(longest < longest_to_shortest_edge * shortest)) {
-            return {SceneCheck::sizes_too_different, index};
-        }
-    }
-    return any_free ? SceneFault{} : SceneFault{SceneCheck::no_free_block, 0};
+        return longest < longest_to_shortest_edge * shortest ? SceneCheck::valid : SceneCheck::sizes_too_different;
+    });
+    return fault.check != SceneCheck::valid || any_free ? fault : SceneFault{SceneCheck::no_free_block};
 }
 
 // A joint has to carry the blocks that it separates: it may be neither as soft as a cushion nor too stiff for the
 // precision of numbers.
 SceneFault check_stiffness(const RelaxationScene& scene) {
-    for (std::size_t index = 0; index < scene.block.size(); ++index) {
-        const RelaxationBlock& block = scene.block[index];
-        if (block.fixed) {
-            continue;
-        }
+    return first_fault(scene.block, [&](const RelaxationBlock& block) {
         const double area = area_properties(block.outline).area;
         const double weight = block.density * area * (scene.gravity.acceleration > 0 ? scene.gravity.acceleration : 1);
         const double size = std::sqrt(area);
-        for (std::size_t edge = 0; edge < block.outline.size(); ++edge) {
+        for (std::size_t edge = 0; !block.fixed && edge < block.outline.size(); ++edge) {
             const JointMaterial& joint = scene.material[block.joint.empty() ? 0 : block.joint[edge]];
             const double ratio = joint.normal_stiffness * size / weight;
-            if (ratio < softest) {
-                return {SceneCheck::stiffness_too_soft, index};
-            }
-            if (ratio > stiffest) {
-                return {SceneCheck::stiffness_too_stiff, index};
+            if (ratio < softest || ratio > stiffest) {
+                return ratio < softest ? SceneCheck::stiffness_too_soft : SceneCheck::stiffness_too_stiff;
             }
         }
-    }
-    return {};
+        return SceneCheck::valid;
+    });
 }
 
-SceneFault check_loads(const RelaxationScene& scene) {
-    const std::size_t count = scene.block.size();
-    for (std::size_t index = 0; index < scene.force.size(); ++index) {
-        const PointForce& force = scene.force[index];
-        if (force.block >= count) {
-            return {SceneCheck::unknown_block, index};
+SceneFault check_forces(const RelaxationScene& scene) {
+    return first_fault(scene.force, [&](const PointForce& force) {
+        return force.block >= scene.block.size()           ? SceneCheck::unknown_block
+               : !finite(force.at) || !finite(force.force) ? SceneCheck::number_not_finite
+                                                           : SceneCheck::valid;
+    });
+}
+
+SceneFault check_bolts(const RelaxationScene& scene) {
+    const SceneFault fault = first_fault(scene.bolt, [&](const BoltSegment& segment) {
+        const bool numbers =
+            finite(segment.at) && finite(segment.other_at) && finite({segment.stiffness, segment.capacity});
+        const bool in_range =
+            segment.pretension >= 0 && segment.pretension <= segment.capacity && segment.stiffness > 0;
+        return std::max(segment.block, segment.other) >= scene.block.size() ? SceneCheck::bolt_outside_blocks
+               : !numbers                                                   ? SceneCheck::number_not_finite
+               : !in_range                                                  ? SceneCheck::load_out_of_range
+                                                                            : SceneCheck::valid;
+    });
+    return fault.check == SceneCheck::valid ? fault : SceneFault{fault.check, scene.bolt[fault.index].bolt};
+}
+
+SceneFault check_pressures(const RelaxationScene& scene) {
+    return first_fault(scene.pressure, [&](const FacePressure& pressure) {
+        if (pressure.block >= scene.block.size()) {
+            return SceneCheck::unknown_block;
         }
-        if (!finite(force.at) || !finite(force.force)) {
-            return {SceneCheck::number_not_finite, index};
+        const Polygon<>& outline = scene.block[pressure.block].outline;
+        if (pressure.edge >= outline.size()) {
+            return SceneCheck::unknown_edge;
         }
-    }
-    for (const BoltSegment& segment : scene.bolt) {
-        if (segment.block >= count || segment.other >= count) {
-            return {SceneCheck::bolt_outside_blocks, segment.bolt};
-        }
-        if (!finite(segment.at) || !finite(segment.other_at) || !std::isfinite(segment.stiffness) ||
-            !std::isfinite(segment.capacity)) {
-            return {SceneCheck::number_not_finite, segment.bolt};
-        }
-        if (!(segment.pretension >= 0 && segment.pretension <= segment.capacity && segment.stiffness > 0)) {
-            return {SceneCheck::load_out_of_range, segment.bolt};
-        }
-    }
-    for (std::size_t index = 0; index < scene.pressure.size(); ++index) {
-        const FacePressure& pressure = scene.pressure[index];
-        if (pressure.block >= count) {
-            return {SceneCheck::unknown_block, index};
-        }
-        if (pressure.edge >= scene.block[pressure.block].outline.size()) {
-            return {SceneCheck::unknown_edge, index};
-        }
-        if (!std::isfinite(pressure.at_first) || !std::isfinite(pressure.at_second)) {
-            return {SceneCheck::number_not_finite, index};
-        }
-        if (pressure.at_first < 0 || pressure.at_second < 0) {
-            return {SceneCheck::load_out_of_range, index};
-        }
-        if (const std::optional<EdgePart>& part = pressure.part) {
-            if (!std::isfinite(part->begin) || !std::isfinite(part->end)) {
-                return {SceneCheck::number_not_finite, index};
-            }
-            const Polygon<>& outline = scene.block[pressure.block].outline;
-            const double length = (outline[(pressure.edge + 1) % outline.size()] - outline[pressure.edge]).norm();
-            if (!(part->begin >= 0 && part->end > part->begin && part->end <= length)) {
-                return {SceneCheck::load_out_of_range, index};
-            }
-        }
-    }
-    for (std::size_t index = 0; index < scene.motion.size(); ++index) {
-        const PrescribedMotion& motion = scene.motion[index];
-        if (motion.block >= count) {
-            return {SceneCheck::unknown_block, index};
-        }
-        if (!scene.block[motion.block].fixed) {
-            return {SceneCheck::motion_of_free_block, index};
-        }
-        if (!finite(motion.velocity) || !finite(motion.pivot) || !std::isfinite(motion.angular_velocity) ||
-            !std::isfinite(motion.start) || !std::isfinite(motion.duration)) {
-            return {SceneCheck::number_not_finite, index};
-        }
-        if (!increasing(motion.velocity)) {
-            return {SceneCheck::times_not_increasing, index};
-        }
-        if (motion.duration < 0) {
-            return {SceneCheck::load_out_of_range, index};
-        }
-    }
-    std::vector<char> stays(count, 0);
+        const double length = (outline[(pressure.edge + 1) % outline.size()] - outline[pressure.edge]).norm();
+        const EdgePart part = pressure.part.value_or(EdgePart{0, length});
+        const bool on_edge = part.begin >= 0 && part.end > part.begin && part.end <= length;
+        return !finite({pressure.at_first, pressure.at_second})  ? SceneCheck::number_not_finite
+               : pressure.at_first < 0 || pressure.at_second < 0 ? SceneCheck::load_out_of_range
+               : !finite({part.begin, part.end})                 ? SceneCheck::number_not_finite
+               : !on_edge                                        ? SceneCheck::load_out_of_range
+                                                                 : SceneCheck::valid;
+    });
+}
+
+SceneFault check_motions(const RelaxationScene& scene) {
+    return first_fault(scene.motion, [&](const PrescribedMotion& motion) {
+        const bool numbers = finite(motion.velocity) && finite(motion.pivot) &&
+                             finite({motion.angular_velocity, motion.start, motion.duration});
+        return motion.block >= scene.block.size() ? SceneCheck::unknown_block
+               : !scene.block[motion.block].fixed ? SceneCheck::motion_of_free_block
+               : !numbers                         ? SceneCheck::number_not_finite
+               : !increasing(motion.velocity)     ? SceneCheck::times_not_increasing
+               : motion.duration < 0              ? SceneCheck::load_out_of_range
+                                                  : SceneCheck::valid;
+    });
+}
+
+SceneFault check_removals(const RelaxationScene& scene) {
+    std::vector<char> stays(scene.block.size(), 0);
     std::ranges::transform(scene.block, stays.begin(),
                            [](const RelaxationBlock& block) { return block.fixed ? 0 : 1; });
-    for (std::size_t index = 0; index < scene.removal.size(); ++index) {
-        if (scene.removal[index].block >= count) {
-            return {SceneCheck::unknown_block, index};
+    const SceneFault fault = first_fault(scene.removal, [&](const Removal& removal) {
+        if (removal.block >= scene.block.size()) {
+            return SceneCheck::unknown_block;
         }
-        if (!std::isfinite(scene.removal[index].time)) {
-            return {SceneCheck::number_not_finite, index};
-        }
-        stays[scene.removal[index].block] = 0;
-    }
-    if (std::ranges::count(stays, 1) == 0) {
-        return {SceneCheck::no_block_left, 0};
-    }
-    if (!finite(scene.shaking)) {
-        return {SceneCheck::number_not_finite, 0};
-    }
-    return increasing(scene.shaking) ? SceneFault{} : SceneFault{SceneCheck::times_not_increasing, 0};
+        stays[removal.block] = 0;
+        return std::isfinite(removal.time) ? SceneCheck::valid : SceneCheck::number_not_finite;
+    });
+    const bool left = std::ranges::count(stays, 1) > 0;
+    return fault.check != SceneCheck::valid || left ? fault : SceneFault{SceneCheck::no_block_left};
+}
+
+SceneFault check_shaking(const RelaxationScene& scene) {
+    return {!finite(scene.shaking)       ? SceneCheck::number_not_finite
+            : !increasing(scene.shaking) ? SceneCheck::times_not_increasing
+                                         : SceneCheck::valid};
+}
+
+SceneFault check_bond_materials(const RelaxationScene& scene) {
+    return first_fault(scene.bond_material, [](const BondMaterial& material) {
+        const double spacing = material.spacing.value_or(1);
+        const bool numbers = finite({material.young_modulus, material.shear_modulus, material.tensile_strength,
+                                     material.cohesion, material.friction_angle, spacing});
+        const bool moduli = material.young_modulus > 0 && material.shear_modulus > 0 && spacing > 0;
+        return !numbers                                                 ? SceneCheck::number_not_finite
+               : !moduli                                                ? SceneCheck::modulus_not_positive
+               : material.tensile_strength < 0 || material.cohesion < 0 ? SceneCheck::strength_negative
+               : !is_friction(material.friction_angle)                  ? SceneCheck::friction_out_of_range
+                                                                        : SceneCheck::valid;
+    });
 }
 
 SceneFault check_bonds(const RelaxationScene& scene) {
-    for (std::size_t index = 0; index < scene.bond_material.size(); ++index) {
-        const BondMaterial& material = scene.bond_material[index];
-        for (const double number : {material.young_modulus, material.shear_modulus, material.tensile_strength,
-                                    material.cohesion, material.friction_angle, material.spacing.value_or(1)}) {
-            if (!std::isfinite(number)) {
-                return {SceneCheck::number_not_finite, index};
-            }
-        }
-        if (!(material.young_modulus > 0) || !(material.shear_modulus > 0) || !(material.spacing.value_or(1) > 0)) {
-            return {SceneCheck::modulus_not_positive, index};
-        }
-        if (material.tensile_strength < 0 || material.cohesion < 0) {
-            return {SceneCheck::strength_negative, index};
-        }
-        if (material.friction_angle < 0 || material.friction_angle > degrees(greatest_friction)) {
-            return {SceneCheck::friction_out_of_range, index};
-        }
-    }
     if (scene.bond.empty()) {
         return {};
     }
     const Bodies bodies = make_bodies(scene);
-    for (std::size_t index = 0; index < scene.bond.size(); ++index) {
-        const FaceBond& bond = scene.bond[index];
-        if (bond.block >= bodies.size() || bond.other >= bodies.size() || bond.block == bond.other) {
-            return {SceneCheck::unknown_block, index};
+    return first_fault(scene.bond, [&](const FaceBond& bond) {
+        if (std::max(bond.block, bond.other) >= bodies.size() || bond.block == bond.other) {
+            return SceneCheck::unknown_block;
         }
-        if (bond.edge >= bodies.range[bond.block].size() || bond.other_edge >= bodies.range[bond.other].size()) {
-            return {SceneCheck::unknown_edge, index};
-        }
-        if (bond.material && *bond.material >= scene.bond_material.size()) {
-            return {SceneCheck::unknown_material, index};
-        }
-        if ((scene.block[bond.block].fixed && scene.block[bond.other].fixed) ||
-            !shared_face(bodies, bodies.range[bond.block].begin + bond.edge,
-                         bodies.range[bond.other].begin + bond.other_edge)) {
-            return {SceneCheck::bond_without_face, index};
-        }
-    }
-    return {};
+        const CornerRange edges = bodies.range[bond.block];
+        const CornerRange other_edges = bodies.range[bond.other];
+        const bool both_fixed = scene.block[bond.block].fixed && scene.block[bond.other].fixed;
+        return bond.edge >= edges.size() || bond.other_edge >= other_edges.size() ? SceneCheck::unknown_edge
+               : bond.material && *bond.material >= scene.bond_material.size()    ? SceneCheck::unknown_material
+               : both_fixed || !shared_face(bodies, edges.begin + bond.edge, other_edges.begin + bond.other_edge)
+                   ? SceneCheck::bond_without_face
+                   : SceneCheck::valid;
+    });
 }
 
 SceneFault check_belt(const RelaxationScene& scene) {
     if (!scene.belt) {
         return {};
     }
-    if (!std::isfinite(scene.belt->speed) || !std::isfinite(scene.belt->friction_angle)) {
-        return {SceneCheck::number_not_finite, 0};
-    }
-    if (!(scene.belt->friction_angle > 0) || scene.belt->friction_angle > degrees(greatest_friction)) {
-        return {SceneCheck::friction_out_of_range, 0};
-    }
-    const bool pressed = scene.gravity.acceleration > 0;
-    return scene.belt->speed > 0 && pressed ? SceneFault{} : SceneFault{SceneCheck::load_out_of_range, 0};
+    const auto [speed, friction] = *scene.belt;
+    return {!finite({speed, friction})                       ? SceneCheck::number_not_finite
+            : !(friction > 0 && is_friction(friction))       ? SceneCheck::friction_out_of_range
+            : !(speed > 0 && scene.gravity.acceleration > 0) ? SceneCheck::load_out_of_range
+                                                             : SceneCheck::valid};
 }
 
 double softest_joint(const RelaxationScene& scene, const Bodies& bodies, std::size_t block) {
@@ -334,21 +310,10 @@ SceneFault check_settings(const RelaxationSettings& settings) {
 }
 
 SceneFault check_scene(const RelaxationScene& scene) {
-    const Gravity& gravity = scene.gravity;
-    for (const double number :
-         {gravity.acceleration, gravity.tilt, gravity.final_tilt, gravity.rate, gravity.interval, gravity.start}) {
-        if (!std::isfinite(number)) {
-            return {SceneCheck::number_not_finite, 0};
-        }
-    }
-    if (gravity.acceleration < 0 || gravity.rate < 0 || gravity.interval < 0) {
-        return {SceneCheck::load_out_of_range, 0};
-    }
-    if (scene.material.empty()) {
-        return {SceneCheck::unknown_material, 0};
-    }
     // Blocks are checked first: stiffnesses that follow from their weights are wrong if those are.
-    for (const auto check : {check_blocks, check_materials, check_stiffness, check_loads, check_bonds, check_belt}) {
+    for (const auto check :
+         {check_gravity, check_blocks, check_materials, check_stiffness, check_forces, check_bolts, check_pressures,
+          check_motions, check_removals, check_shaking, check_bond_materials, check_bonds, check_belt}) {
         const SceneFault fault = check(scene);
         if (fault.check != SceneCheck::valid) {
             return fault;
@@ -406,13 +371,11 @@ SceneFault check_start(const RelaxationScene& scene) {
 }
 
 SceneFault check_departure(const RelaxationScene& scene, const RelaxationSettings& settings) {
-    for (std::size_t block = 0; settings.taken_away_below && block < scene.block.size(); ++block) {
+    return first_fault(scene.block, [&](const RelaxationBlock& block) {
         const auto below = [&](const PlanePoint<>& corner) { return corner.y() < *settings.taken_away_below; };
-        if (!scene.block[block].fixed && std::ranges::all_of(scene.block[block].outline, below)) {
-            return {SceneCheck::setting_out_of_range, block};
-        }
-    }
-    return {};
+        const bool gone = settings.taken_away_below && !block.fixed && std::ranges::all_of(block.outline, below);
+        return gone ? SceneCheck::setting_out_of_range : SceneCheck::valid;
+    });
 }
 
 SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings) {
