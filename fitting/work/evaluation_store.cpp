@@ -6,11 +6,6 @@
 #include <sqlite3.h>
 
 #include <chrono>
-#include <future>
-#include <map>
-#include <mutex>
-#include <optional>
-#include <set>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -60,7 +55,9 @@ std::string bytes_of(const Polyline& line) {
     return bytes_of(values);
 }
 
-struct Entry {
+}  // namespace
+
+struct EvaluationStore::Entry {
     std::string failure;
     std::string outputs;
     std::string profile;
@@ -78,147 +75,112 @@ struct Entry {
     }
 };
 
-}  // namespace
-
-class EvaluationStore::Database {
+// An SQL statement from preparation to finalisation.
+class EvaluationStore::Statement {
   public:
-    Database(std::filesystem::path file, std::string_view program);
-    ~Database() { close(); }
-    Database(const Database&) = delete;
-    Database& operator=(const Database&) = delete;
+    Statement(EvaluationStore& store, const char* text) : store_(store) {
+        store_.demand(sqlite3_prepare_v2(store_.connection_.get(), text, -1, &statement_, nullptr));
+    }
+    ~Statement() { sqlite3_finalize(statement_); }
+    Statement(const Statement&) = delete;
+    Statement& operator=(const Statement&) = delete;
 
-    std::int64_t id_of_model(std::string_view model);
-    Prediction predict(std::int64_t model_id, const ModelInterface& model, std::span<const Assignment> assignments);
-
-    std::filesystem::path path;
-    StoreTraffic traffic;
-    std::mutex mutex;  // guards everything below and the traffic
+    void bind(int place, std::int64_t value) { store_.demand(sqlite3_bind_int64(statement_, place, value)); }
+    void bind(int place, double value) { store_.demand(sqlite3_bind_double(statement_, place, value)); }
+    void bind_text(int place, std::string_view text) {
+        store_.demand(sqlite3_bind_text64(statement_, place, text.data(), text.size(), nullptr, SQLITE_UTF8));
+    }
+    void bind_bytes(int place, std::string_view bytes) {
+        store_.demand(sqlite3_bind_blob64(statement_, place, bytes.data(), bytes.size(), nullptr));
+    }
+    // False after the last row.
+    bool step() {
+        const int code = sqlite3_step(statement_);
+        if (code != SQLITE_ROW && code != SQLITE_DONE) {
+            store_.demand(code);
+        }
+        return code == SQLITE_ROW;
+    }
+    std::int64_t integer(int column) const { return sqlite3_column_int64(statement_, column); }
+    double real(int column) const { return sqlite3_column_double(statement_, column); }
+    std::string bytes(int column) const {
+        const void* data = sqlite3_column_blob(statement_, column);
+        const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, column));
+        return data == nullptr ? std::string() : std::string(static_cast<const char*>(data), size);
+    }
 
   private:
-    // An SQL statement from preparation to finalisation.
-    class Statement {
-      public:
-        Statement(Database& database, const char* text) : database_(database) {
-            database_.demand(sqlite3_prepare_v2(database_.connection_, text, -1, &statement_, nullptr));
-        }
-        ~Statement() { sqlite3_finalize(statement_); }
-        Statement(const Statement&) = delete;
-        Statement& operator=(const Statement&) = delete;
-
-        void bind(int place, std::int64_t value) { database_.demand(sqlite3_bind_int64(statement_, place, value)); }
-        void bind(int place, double value) { database_.demand(sqlite3_bind_double(statement_, place, value)); }
-        void bind_text(int place, std::string_view text) {
-            database_.demand(sqlite3_bind_text64(statement_, place, text.data(), text.size(), nullptr, SQLITE_UTF8));
-        }
-        void bind_bytes(int place, std::string_view bytes) {
-            database_.demand(sqlite3_bind_blob64(statement_, place, bytes.data(), bytes.size(), nullptr));
-        }
-        // False after the last row.
-        bool step() {
-            const int code = sqlite3_step(statement_);
-            if (code != SQLITE_ROW && code != SQLITE_DONE) {
-                database_.demand(code);
-            }
-            return code == SQLITE_ROW;
-        }
-        std::int64_t integer(int column) const { return sqlite3_column_int64(statement_, column); }
-        double real(int column) const { return sqlite3_column_double(statement_, column); }
-        std::string bytes(int column) const {
-            const void* data = sqlite3_column_blob(statement_, column);
-            const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, column));
-            return data == nullptr ? std::string() : std::string(static_cast<const char*>(data), size);
-        }
-
-      private:
-        Database& database_;
-        sqlite3_stmt* statement_ = nullptr;
-    };
-
-    void open();
-    void lay_out();
-    void check_layout();
-    void close() { sqlite3_close(std::exchange(connection_, nullptr)); }
-    void execute(const char* text) { demand(sqlite3_exec(connection_, text, nullptr, nullptr, nullptr)); }
-    // SQLite does not wait for other processes when a lock has to become a stronger one, for example when two processes
-    // open a new file at once; here the statement is repeated instead.
-    void execute_patiently(const char* text);
-    std::int64_t pragma(const char* text);
-    void demand(int code) const;
-    [[noreturn]] void refuse(const std::string& sentence) const { throw StoreError(path.string() + ' ' + sentence); }
-    [[noreturn]] void refuse_as_damaged(const std::string& reason) const;
-
-    std::optional<Entry> find(std::int64_t model_id, const std::string& key);
-    void keep(std::int64_t model_id, const std::string& key, const Entry& entry);
-    Prediction prediction_of(const Entry& entry, std::size_t outputs);
-    Prediction compute(std::int64_t model_id, const std::string& key, const ModelInterface& model,
-                       std::span<const Assignment> assignments);
-
-    std::string program_;
-    sqlite3* connection_ = nullptr;
-    std::set<std::string> words_;  // texts of failures, at addresses that do not change
-    std::map<std::pair<std::int64_t, std::string>, std::shared_future<Prediction>> under_way_;
+    EvaluationStore& store_;
+    sqlite3_stmt* statement_ = nullptr;
 };
 
-EvaluationStore::Database::Database(std::filesystem::path file, std::string_view program)
-    : path(std::move(file)), program_(program) {
-    try {
-        open();
-    } catch (...) {
-        close();
-        throw;
-    }
+EvaluationStore::EvaluationStore(std::filesystem::path path, std::string_view program)
+    : path_(std::move(path)), program_(program), connection_(nullptr, sqlite3_close) {
+    open();
 }
 
-void EvaluationStore::Database::refuse_as_damaged(const std::string& reason) const {
+StoreTraffic EvaluationStore::traffic() const {
+    const std::lock_guard lock(mutex_);
+    return traffic_;
+}
+
+void EvaluationStore::refuse_as_damaged(const std::string& reason) const {
     refuse("is damaged (" + reason + "): move it away and the work begins anew, or save what it holds by `sqlite3 " +
-           path.string() + " .recover`; nothing in it was changed");
+           path_.string() + " .recover`; nothing in it was changed");
 }
 
-void EvaluationStore::Database::demand(int code) const {
+void EvaluationStore::demand(int code) const {
     switch (code) {
     case SQLITE_OK:
         return;
     case SQLITE_NOTADB:
         refuse("is no evaluation store: name another file, or move this one away; nothing in it was changed");
     case SQLITE_CORRUPT:
-        refuse_as_damaged(sqlite3_errmsg(connection_));
+        refuse_as_damaged(sqlite3_errmsg(connection_.get()));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
         refuse("was locked by another process for a minute: end that process, or name another file");
     case SQLITE_FULL:
         refuse("cannot grow: the disk is full; with room on it the same command goes on from what is kept");
     default:
-        refuse("cannot be used as an evaluation store: " + std::string(sqlite3_errmsg(connection_)));
+        refuse("cannot be used as an evaluation store: " + std::string(sqlite3_errmsg(connection_.get())));
     }
 }
 
-void EvaluationStore::Database::execute_patiently(const char* text) {
+void EvaluationStore::execute(const char* text) {
+    demand(sqlite3_exec(connection_.get(), text, nullptr, nullptr, nullptr));
+}
+
+void EvaluationStore::execute_patiently(const char* text) {
     constexpr auto pause = std::chrono::milliseconds(5);
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_milliseconds);
-    int code = sqlite3_exec(connection_, text, nullptr, nullptr, nullptr);
+    int code = sqlite3_exec(connection_.get(), text, nullptr, nullptr, nullptr);
     while (code == SQLITE_BUSY && std::chrono::steady_clock::now() < deadline) {
         std::this_thread::sleep_for(pause);
-        code = sqlite3_exec(connection_, text, nullptr, nullptr, nullptr);
+        code = sqlite3_exec(connection_.get(), text, nullptr, nullptr, nullptr);
     }
     demand(code);
 }
 
-std::int64_t EvaluationStore::Database::pragma(const char* text) {
+std::int64_t EvaluationStore::pragma(const char* text) {
     Statement statement(*this, text);
     return statement.step() ? statement.integer(0) : 0;
 }
 
-void EvaluationStore::Database::open() {
+void EvaluationStore::open() {
     if (std::error_code ignored;
-        std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+        std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored)) {
         refuse("is no ordinary file: name another one for the evaluation store");
     }
     // The path is made absolute, because SQLite gives some relative names such as ":memory:" a special meaning.
-    const std::string name = std::filesystem::absolute(path).string();
-    demand(sqlite3_open_v2(name.c_str(), &connection_,
-                           SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_FULLMUTEX, nullptr));
-    demand(sqlite3_busy_timeout(connection_, patience_milliseconds));
-    if (sqlite3_db_readonly(connection_, "main") != 0) {
+    const std::string name = std::filesystem::absolute(path_).string();
+    sqlite3* opened = nullptr;
+    const int code = sqlite3_open_v2(name.c_str(), &opened,
+                                     SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_FULLMUTEX, nullptr);
+    connection_.reset(opened);  // also after a failure, for its message
+    demand(code);
+    demand(sqlite3_busy_timeout(connection_.get(), patience_milliseconds));
+    if (sqlite3_db_readonly(connection_.get(), "main") != 0) {
         refuse("cannot be written: give yourself the right to, or name another file");
     }
     if (pragma("SELECT count(*) FROM sqlite_master") == 0 && pragma("PRAGMA application_id") == 0) {
@@ -229,7 +191,7 @@ void EvaluationStore::Database::open() {
     execute("PRAGMA synchronous = NORMAL");
 }
 
-void EvaluationStore::Database::lay_out() {
+void EvaluationStore::lay_out() {
     // A process that comes second finds the tables already made by the first.
     execute("BEGIN IMMEDIATE");
     if (pragma("SELECT count(*) FROM sqlite_master") == 0) {
@@ -240,7 +202,7 @@ void EvaluationStore::Database::lay_out() {
     execute("COMMIT");
 }
 
-void EvaluationStore::Database::check_layout() {
+void EvaluationStore::check_layout() {
     if (pragma("PRAGMA application_id") != application) {
         refuse("is a database of another program: name another file; nothing in it was changed");
     }
@@ -256,8 +218,8 @@ void EvaluationStore::Database::check_layout() {
     }
 }
 
-std::int64_t EvaluationStore::Database::id_of_model(std::string_view model) {
-    const std::lock_guard lock(mutex);
+std::int64_t EvaluationStore::id_of_model(std::string_view model) {
+    const std::lock_guard lock(mutex_);
     Statement insert(*this, "INSERT OR IGNORE INTO model (program, description) VALUES (?, ?)");
     insert.bind_text(1, program_);
     insert.bind_text(2, model);
@@ -271,7 +233,7 @@ std::int64_t EvaluationStore::Database::id_of_model(std::string_view model) {
     return select.integer(0);
 }
 
-std::optional<Entry> EvaluationStore::Database::find(std::int64_t model_id, const std::string& key) {
+std::optional<EvaluationStore::Entry> EvaluationStore::find(std::int64_t model_id, const std::string& key) {
     Statement select(*this,
                      "SELECT failure, outputs, profile, seconds, checksum FROM evaluation"
                      " WHERE model = ? AND parameters = ?");
@@ -287,7 +249,7 @@ std::optional<Entry> EvaluationStore::Database::find(std::int64_t model_id, cons
     return entry;
 }
 
-void EvaluationStore::Database::keep(std::int64_t model_id, const std::string& key, const Entry& entry) {
+void EvaluationStore::keep(std::int64_t model_id, const std::string& key, const Entry& entry) {
     // If another process was quicker, its entry is kept, which holds the same values.
     Statement insert(*this, "INSERT OR IGNORE INTO evaluation VALUES (?, ?, ?, ?, ?, ?, ?)");
     insert.bind(1, model_id);
@@ -300,7 +262,7 @@ void EvaluationStore::Database::keep(std::int64_t model_id, const std::string& k
     insert.step();
 }
 
-Prediction EvaluationStore::Database::prediction_of(const Entry& entry, std::size_t outputs) {
+Prediction EvaluationStore::prediction_of(const Entry& entry, std::size_t outputs) {
     Prediction prediction;
     if (!entry.failure.empty()) {
         prediction.failure = *words_.insert(entry.failure).first;
@@ -321,44 +283,44 @@ Prediction EvaluationStore::Database::prediction_of(const Entry& entry, std::siz
     return prediction;
 }
 
-Prediction EvaluationStore::Database::compute(std::int64_t model_id, const std::string& key,
-                                              const ModelInterface& model, std::span<const Assignment> assignments) {
+Prediction EvaluationStore::compute(std::int64_t model_id, const std::string& key, const ModelInterface& model,
+                                    std::span<const Assignment> assignments) {
     const auto begin = std::chrono::steady_clock::now();
     Prediction prediction = model.predict(assignments);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const std::lock_guard lock(mutex);
+    const std::lock_guard lock(mutex_);
     keep(model_id, key,
          {std::string(prediction.failure), bytes_of(prediction.outputs), bytes_of(prediction.profile), seconds});
-    ++traffic.made;
-    traffic.seconds_made += seconds;
+    ++traffic_.made;
+    traffic_.seconds_made += seconds;
     return prediction;
 }
 
-Prediction EvaluationStore::Database::predict(std::int64_t model_id, const ModelInterface& model,
-                                              std::span<const Assignment> assignments) {
+Prediction EvaluationStore::predict(std::int64_t model_id, const ModelInterface& model,
+                                    std::span<const Assignment> assignments) {
     const std::string key = key_of(assignments);
     const std::pair place{model_id, key};
     std::promise<Prediction> promise;
     {
-        std::unique_lock lock(mutex);
+        std::unique_lock lock(mutex_);
         if (const auto other = under_way_.find(place); other != under_way_.end()) {
             const std::shared_future<Prediction> awaited = other->second;
             lock.unlock();
             Prediction prediction = awaited.get();
             lock.lock();
-            ++traffic.found;
+            ++traffic_.found;
             return prediction;
         }
         if (const std::optional<Entry> entry = find(model_id, key)) {
             Prediction prediction = prediction_of(*entry, model.outputs.size());
-            ++traffic.found;
-            traffic.seconds_found += entry->seconds;
+            ++traffic_.found;
+            traffic_.seconds_found += entry->seconds;
             return prediction;
         }
         under_way_.emplace(place, promise.get_future().share());
     }
     const auto leave = [&] {
-        const std::lock_guard lock(mutex);
+        const std::lock_guard lock(mutex_);
         under_way_.erase(place);
     };
     try {
@@ -371,29 +333,6 @@ Prediction EvaluationStore::Database::predict(std::int64_t model_id, const Model
         leave();
         throw;
     }
-}
-
-EvaluationStore::EvaluationStore(const std::filesystem::path& path, std::string_view program)
-    : database_(std::make_unique<Database>(path, program)) {}
-
-EvaluationStore::~EvaluationStore() = default;
-
-const std::filesystem::path& EvaluationStore::path() const {
-    return database_->path;
-}
-
-StoreTraffic EvaluationStore::traffic() const {
-    const std::lock_guard lock(database_->mutex);
-    return database_->traffic;
-}
-
-std::int64_t EvaluationStore::id_of_model(std::string_view model) {
-    return database_->id_of_model(model);
-}
-
-Prediction EvaluationStore::predict(std::int64_t model_id, const ModelInterface& model,
-                                    std::span<const Assignment> assignments) {
-    return database_->predict(model_id, model, assignments);
 }
 
 ModelInterface stored(ModelInterface model, EvaluationStore& store, std::string_view description) {

@@ -18,9 +18,19 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <future>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <utility>
+
+struct sqlite3;
 
 namespace delabole {
 
@@ -43,12 +53,9 @@ class EvaluationStore {
   public:
     // Opens the store, or makes one if the file does not exist or is empty. Entries of other programs are kept and
     // ignored. Throws StoreError: no permission, a file of another kind, another layout, damage.
-    EvaluationStore(const std::filesystem::path& path, std::string_view program);
-    ~EvaluationStore();
-    EvaluationStore(const EvaluationStore&) = delete;
-    EvaluationStore& operator=(const EvaluationStore&) = delete;
+    EvaluationStore(std::filesystem::path path, std::string_view program);
 
-    const std::filesystem::path& path() const;
+    const std::filesystem::path& path() const { return path_; }
     StoreTraffic traffic() const;
 
     // Identifier of the table row of a model; its predictions refer to it.
@@ -60,8 +67,34 @@ class EvaluationStore {
     Prediction predict(std::int64_t model_id, const ModelInterface& model, std::span<const Assignment> assignments);
 
   private:
-    class Database;
-    std::unique_ptr<Database> database_;
+    struct Entry;
+    class Statement;
+
+    void open();
+    void lay_out();
+    void check_layout();
+    void execute(const char* text);
+    // SQLite does not wait for other processes when a lock has to become a stronger one, for example when two processes
+    // open a new file at once; here the statement is repeated instead.
+    void execute_patiently(const char* text);
+    std::int64_t pragma(const char* text);
+    void demand(int code) const;
+    [[noreturn]] void refuse(const std::string& sentence) const { throw StoreError(path_.string() + ' ' + sentence); }
+    [[noreturn]] void refuse_as_damaged(const std::string& reason) const;
+
+    std::optional<Entry> find(std::int64_t model_id, const std::string& key);
+    void keep(std::int64_t model_id, const std::string& key, const Entry& entry);
+    Prediction prediction_of(const Entry& entry, std::size_t outputs);
+    Prediction compute(std::int64_t model_id, const std::string& key, const ModelInterface& model,
+                       std::span<const Assignment> assignments);
+
+    std::filesystem::path path_;
+    std::string program_;
+    mutable std::mutex mutex_;  // guards everything below
+    StoreTraffic traffic_;
+    std::unique_ptr<sqlite3, int (*)(sqlite3*)> connection_;
+    std::set<std::string> words_;  // texts of failures, at addresses that do not change
+    std::map<std::pair<std::int64_t, std::string>, std::shared_future<Prediction>> under_way_;
 };
 
 // A model that looks in the store first. The store has to outlive it and its predictions. `description` is the resolved
