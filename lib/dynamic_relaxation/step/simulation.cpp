@@ -58,14 +58,18 @@ double shortest_edge(const Bodies& bodies) {
 
 }  // namespace
 
-Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
+Simulation::Simulation(RelaxationState state, RelaxationScene scene, RelaxationSettings settings)
     : scene_(std::move(scene)),
       settings_(settings),
       bodies_(bodies_of(scene_, settings_)),
+      state_(std::move(state)),
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
-      contact_watch_(scene_, bodies_, settings_) {
+      contact_watch_(scene_, bodies_, settings_) {}
+
+Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
+    : Simulation(RelaxationState{}, std::move(scene), settings) {
     state_.motion.resize(bodies_.size());
     state_.removed.resize(bodies_.size(), 0);
     state_.base_slip.resize(bodies_.size(), 0);
@@ -81,28 +85,14 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
 }
 
 Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state)
-    : scene_(std::move(scene)),
-      settings_(settings),
-      bodies_(bodies_of(scene_, settings_)),
-      state_(std::move(state)),
-      team_(std::max<std::size_t>(settings_.threads, 1)),
-      contact_forces_(bodies_, team_),
-      bonds_(scene_, bodies_, settings_.viscous_damping, team_),
-      contact_watch_(scene_, bodies_, settings_) {
+    : Simulation(std::move(state), std::move(scene), settings) {
     prepare();
     contact_forces_.renew();
     contact_watch_.resume(state_.watch, state_.contacts);
 }
 
 Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from)
-    : scene_(std::move(scene)),
-      settings_(settings),
-      bodies_(bodies_of(scene_, settings_)),
-      state_(begun_at(from.at_rest)),
-      team_(std::max<std::size_t>(settings_.threads, 1)),
-      contact_forces_(bodies_, team_),
-      bonds_(scene_, bodies_, settings_.viscous_damping, team_),
-      contact_watch_(scene_, bodies_, settings_) {
+    : Simulation(begun_at(from.at_rest), std::move(scene), settings) {
     settings_.start = RelaxationStart::preloaded;
     prepare();
     begin(JointsAtStart::as_left);
@@ -311,9 +301,8 @@ bool Simulation::check_contacts() {
         note_base_slip(bodies_, state_.motion, dropped.contact, dropped.memory, up(), state_.dropped_slip);
     }
     for (const std::size_t bond : std::exchange(just_broken_, {})) {
-        state_.energy_balance.bonds -=
-            hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion, state_.contacts,
-                      state_.last_step / 2);
+        state_.energy_balance.bonds -= hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion,
+                                                 state_.contacts, state_.last_step / 2);
     }
     if (contact_watch_.list_changed()) {
         contact_forces_.renew();

@@ -60,6 +60,9 @@ class Simulation {
     // Whether bolts pull with their pretension in a static solve, or stretch.
     enum class BoltsAtStart { pulling, stretching };
 
+    // Holds what the public constructors have in common; each prepares the rest.
+    Simulation(RelaxationState state, RelaxationScene scene, RelaxationSettings settings);
+
     // A block that nothing has moved for some checks is at rest until the unbalanced force on it exceeds this share of
     // its weight, far below the ratio that counts as equilibrium: it is not moved, and costs almost no time.
     double rest_ratio() const { return 1e-3 * settings_.equilibrium_ratio; }
