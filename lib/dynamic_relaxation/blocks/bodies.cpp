@@ -66,6 +66,26 @@ Bodies make_bodies(const RelaxationScene& scene) {
     return bodies;
 }
 
+double area_of(const Bodies& bodies, std::size_t block) {
+    const auto first = bodies.corner.begin();
+    return area_properties(Polygon<>(first + static_cast<std::ptrdiff_t>(bodies.range[block].begin),
+                                     first + static_cast<std::ptrdiff_t>(bodies.range[block].end)))
+        .area;
+}
+
+std::optional<double> median_of_free(const Bodies& bodies, const std::vector<double>& numbers,
+                                     const std::vector<char>& removed) {
+    std::vector<double> free;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] == 0 && (removed.empty() || removed[block] == 0)) {
+            free.push_back(numbers[block]);
+        }
+    }
+    const auto middle = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 2);
+    std::nth_element(free.begin(), middle, free.end());
+    return free.empty() ? std::nullopt : std::optional(*middle);
+}
+
 void scale_masses(Bodies& bodies) {
     constexpr double most = 100;
     double heaviest = 0;

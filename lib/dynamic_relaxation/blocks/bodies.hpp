@@ -47,6 +47,13 @@ struct Bodies {
 // Makes the bodies of a valid scene.
 Bodies make_bodies(const RelaxationScene& scene);
 
+// m2, of the initial geometry.
+double area_of(const Bodies& bodies, std::size_t block);
+
+// The upper median of the numbers of free blocks, without those in `removed`; unset: there are none.
+std::optional<double> median_of_free(const Bodies& bodies, const std::vector<double>& numbers,
+                                     const std::vector<char>& removed = {});
+
 // Gives free blocks the inertia of the heaviest, but at most a hundred times their own. Equilibria do not change, as
 // nothing accelerates in them, but the lightest block no longer sets the stable step. The motion is no longer that of
 // the rock. Known as mass or density scaling (Cundall 1982).

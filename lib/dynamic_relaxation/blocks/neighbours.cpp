@@ -42,22 +42,6 @@ Box box_of(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t 
     return {box.left - reach, box.right + reach, box.bottom - reach, box.top + reach};
 }
 
-// Cells are as wide as the free block of median size.
-double cell_width(const Bodies& bodies, const std::vector<char>& removed) {
-    std::vector<double> radius;
-    for (std::size_t block = 0; block < bodies.size(); ++block) {
-        if (bodies.fixed[block] == 0 && removed[block] == 0) {
-            radius.push_back(bodies.radius[block]);
-        }
-    }
-    if (radius.empty()) {
-        return 1;
-    }
-    const auto middle = radius.begin() + static_cast<std::ptrdiff_t>(radius.size() / 2);
-    std::nth_element(radius.begin(), middle, radius.end());
-    return 2 * *middle;
-}
-
 struct Extent {
     double low;
     double high;
@@ -111,7 +95,8 @@ std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vect
     constexpr std::size_t few_blocks = 16;
     // Flat, inclined blocks fill a cell by thousands, each in the bounding boxes of all others.
     constexpr std::size_t crowded = 64;
-    const double width = cell_width(bodies, removed);
+    // Cells are as wide as the free block of median size.
+    const double width = 2 * median_of_free(bodies, bodies.radius, removed).value_or(0.5);
     const auto cell = [&](double coordinate) { return static_cast<std::int64_t>(std::floor(coordinate / width)); };
     const auto may_touch = [&](std::uint32_t first, std::uint32_t second) {
         return bodies.fixed[first] == 0 || bodies.fixed[second] == 0;

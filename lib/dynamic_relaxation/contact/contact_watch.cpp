@@ -51,21 +51,6 @@ double opening_of(const RelaxationContact& contact, const std::vector<Motion>& m
     return velocity_of<double>(locate(contact, block, other), block, other).opening;
 }
 
-double median_radius(const Bodies& bodies) {
-    std::vector<double> radius;
-    for (std::size_t block = 0; block < bodies.size(); ++block) {
-        if (bodies.fixed[block] == 0) {
-            radius.push_back(bodies.radius[block]);
-        }
-    }
-    if (radius.empty()) {
-        return infinity;
-    }
-    const auto middle = radius.begin() + static_cast<std::ptrdiff_t>(radius.size() / 2);
-    std::nth_element(radius.begin(), middle, radius.end());
-    return *middle;
-}
-
 }  // namespace
 
 ContactWatch::ContactWatch(const RelaxationScene& scene, const Bodies& bodies, const RelaxationSettings& settings)
@@ -76,7 +61,7 @@ ContactWatch::ContactWatch(const RelaxationScene& scene, const Bodies& bodies, c
       gravity_(scene.gravity.acceleration),
       overlap_limit_(settings.overlap_limit),
       share_in_collision_(std::min(1.0, step_fraction_in_collision / settings.step_fraction)) {
-    const double median = median_radius(bodies);
+    const double median = median_of_free(bodies, bodies.radius).value_or(infinity);
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         reach_at_rest_.push_back(bodies.fixed[block] != 0 ? 0
                                                           : reach_in_radii * std::min(bodies.radius[block], median));

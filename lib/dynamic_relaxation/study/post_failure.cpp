@@ -67,7 +67,7 @@ double inclination(const Point& from, const Point& to) {
 class Survey {
   public:
     Survey(const MovedSlope& slope, const PostFailureRequest& request)
-        : slope_(slope), bodies_(slope.bodies), area_(areas()), size_(median_size()) {
+        : slope_(slope), bodies_(slope.bodies), area_(areas()), size_(std::sqrt(*median_of_free(bodies_, area_))) {
         moved_limit_ = request.moved_share.value_or(PostFailureRequest::standard_moved_share) * size_;
         crack_limit_ = request.crack_share.value_or(PostFailureRequest::standard_crack_share) * size_;
     }
@@ -88,26 +88,10 @@ class Survey {
   private:
     std::vector<double> areas() const {
         std::vector<double> made;
-        made.reserve(bodies_.size());
-        for (const CornerRange& range : bodies_.range) {
-            const auto first = bodies_.corner.begin();
-            made.push_back(area_properties(Polygon<>(first + static_cast<std::ptrdiff_t>(range.begin),
-                                                     first + static_cast<std::ptrdiff_t>(range.end)))
-                               .area);
+        for (std::size_t block = 0; block < bodies_.size(); ++block) {
+            made.push_back(area_of(bodies_, block));
         }
         return made;
-    }
-
-    double median_size() const {
-        std::vector<double> areas;
-        for (std::size_t block = 0; block < bodies_.size(); ++block) {
-            if (bodies_.fixed[block] == 0) {
-                areas.push_back(area_[block]);
-            }
-        }
-        const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
-        std::nth_element(areas.begin(), middle, areas.end());
-        return std::sqrt(*middle);
     }
 
     CrestMovement movement_of(std::size_t block) const {

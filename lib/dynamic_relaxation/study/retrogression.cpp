@@ -17,13 +17,6 @@ namespace delabole {
 
 namespace {
 
-double area_of(const Bodies& bodies, std::size_t block) {
-    const auto first = bodies.corner.begin();
-    return area_properties(Polygon<>(first + static_cast<std::ptrdiff_t>(bodies.range[block].begin),
-                                     first + static_cast<std::ptrdiff_t>(bodies.range[block].end)))
-        .area;
-}
-
 // Adds a block to the stage. The members hold areas until all blocks are added, and shares of their sum afterwards.
 void add_block(const Bodies& bodies, const FailureStage& stage, std::size_t index, RetrogressionStage& sum) {
     const std::size_t block = stage.block[index];
