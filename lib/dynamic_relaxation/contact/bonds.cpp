@@ -455,8 +455,7 @@ double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const 
         const double slide =
             bond.of_joint ? at.slide : -held_by_rock * taker.pressing / (pressed * law.shear_stiffness);
         memory.shear = memory.touching ? std::clamp(slide, -most, most) : 0;
-        const auto [opening, shearing] =
-            velocity_of<double>(at, motion[contact.block], motion[contact.other]);
+        const auto [opening, shearing] = velocity_of<double>(at, motion[contact.block], motion[contact.other]);
         const double power = law.shear_stiffness * memory.shear * shearing - taker.pressing * opening;
         held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]) -
                 (memory.touching ? ago * taker.weight * power : 0);
