@@ -425,15 +425,13 @@ double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const 
     std::vector<Taker> takers;
     double pressed = 0;
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const RelaxationContact contact = list.contact[index];
+        const auto [contact, law, memory, at] = contact_now(list, index, motion);
         constexpr double straight = 0.9999;  // cosine; faces that lie on each other lean by less
         const double along = bodies.along[contact.edge].dot(face.along);
         if (!(contact.block == face.block && contact.other == face.other && along > straight) &&
             !(contact.block == face.other && contact.other == face.block && along < -straight)) {
             continue;
         }
-        const ContactLaw law = list.law_of(contact);
-        const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
         takers.push_back(
             {index, law.normal_stiffness * std::max(-at.gap, 0.0), contact_weight(law, contact, at, false)});
         pressed += takers.back().weight * takers.back().pressing;
@@ -441,10 +439,7 @@ double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const 
     const double held_by_rock = -bond.shear_stiffness * locate(face, motion[face.block], motion[face.other]).slide;
     double held = 0;
     for (const Taker& taker : takers) {
-        const RelaxationContact contact = list.contact[taker.contact];
-        const ContactLaw law = list.law_of(contact);
-        const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
-        ContactMemory memory = list.memory[taker.contact];
+        auto [contact, law, memory, at] = contact_now(list, taker.contact, motion);
         memory.beneath = false;
         memory.broken = !keeps_cohesion;
         // An end that has just lifted off opens in the next step and then loses its cohesion.
@@ -457,8 +452,7 @@ double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const 
         memory.shear = memory.touching ? std::clamp(slide, -most, most) : 0;
         const auto [opening, shearing] = velocity_of<double>(at, motion[contact.block], motion[contact.other]);
         const double power = law.shear_stiffness * memory.shear * shearing - taker.pressing * opening;
-        held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]) -
-                (memory.touching ? ago * taker.weight * power : 0);
+        held += elastic_energy(law, contact, memory, at) - (memory.touching ? ago * taker.weight * power : 0);
         list.memory.set(taker.contact, memory);
     }
     return held;

@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace delabole {
 
@@ -295,13 +297,26 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     return bear<double>(law, at, velocity, weight, force_before, damping, step / 2, memory);
 }
 
+// A contact of a list as it is now, in loops that are not part of each step.
+struct ContactNow {
+    RelaxationContact contact;
+    ContactLaw law;
+    ContactMemory memory;
+    ContactPosition at;
+};
+
+inline ContactNow contact_now(const ContactList& list, std::size_t index, const std::vector<Motion>& motion) {
+    const RelaxationContact contact = list.contact[index];
+    return {contact, list.law_of(contact), list.memory[index],
+            locate(contact, motion[contact.block], motion[contact.other])};
+}
+
 // Energy of both springs, J/m.
 inline double elastic_energy(const ContactLaw& law, const RelaxationContact& contact, const ContactMemory& memory,
-                             const Motion& block, const Motion& other) {
+                             const ContactPosition& at) {
     if (!memory.touching) {
         return 0;
     }
-    const ContactPosition at = locate(contact, block, other);
     const double overlap = std::max(-at.gap, 0.0);  // none at an end that has just lifted off (bonds.hpp)
     return contact_weight(law, contact, at, memory.insists) *
            (law.normal_stiffness * overlap * overlap + law.shear_stiffness * memory.shear * memory.shear) / 2;

@@ -18,16 +18,17 @@ struct CornerPair {
 };
 
 // The contact's corner and the end of its edge at which its rival begins.
-CornerPair corners_of(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact) {
+CornerPair corners_of(const Bodies& bodies, const ContactNow& now) {
+    const auto& [contact, law, memory, at] = now;
     const auto end =
         static_cast<std::uint32_t>(law.rival > 0 ? contact.edge : bodies.range[contact.other].after(contact.edge));
     return {std::min(contact.corner, end), std::max(contact.corner, end)};
 }
 
 // Unit vector along which the block with the higher number would separate from the other.
-PlanePoint<> parting(const RelaxationContact& contact, const ContactPosition& at) {
-    const double sense = contact.block > contact.other ? 1 : -1;
-    return sense * PlanePoint<>(at.normal_x, at.normal_y);
+PlanePoint<> parting(const ContactNow& now) {
+    const double sense = now.contact.block > now.contact.other ? 1 : -1;
+    return sense * PlanePoint<>(now.at.normal_x, now.at.normal_y);
 }
 
 // State of a contact of a corner on a corner in a trial, if one is under way.
@@ -38,34 +39,27 @@ class Corners {
     Corners(const CornerMotion& blocks, ContactList& list)
         : blocks_(blocks), list_(list), concerned_(blocks.bodies.size(), 0) {}
 
-    ContactLaw law_of(std::size_t index) const { return list_.law_of(list_.contact.blocks()[index]); }
-    ContactPosition position_of(std::size_t index) const {
-        const RelaxationContact contact = list_.contact[index];
-        return locate(contact, blocks_.motion[contact.block], blocks_.motion[contact.other]);
-    }
-
     // N/m, normal to the edge; 0 where the corner lies over its edge with full weight.
     double relied_on(std::size_t index) const {
-        const ContactLaw law = law_of(index);
-        if (law.alone == 0 || !list_.memory[index].touching) {
+        const auto [contact, law, memory, at] = now(index);
+        if (law.alone == 0 || !memory.touching) {
             return 0;
         }
-        const ContactPosition at = position_of(index);
-        const double share = contact_weight(law, list_.contact[index], at, list_.memory[index].insists);
+        const double share = contact_weight(law, contact, at, memory.insists);
         return share < 1 ? -share * law.normal_stiffness * at.gap : 0;
     }
 
     // Exchanges the bearing edge in all contacts of a pair of blocks that have the same two corners.
     void exchange(std::size_t index, const ContactRange& of_pair) {
-        const CornerPair corners = corners_of(blocks_.bodies, law_of(index), list_.contact[index]);
-        const PlanePoint<> bearing = parting(list_.contact[index], position_of(index));
+        const CornerPair corners = corners_of(blocks_.bodies, now(index));
+        const PlanePoint<> bearing = parting(now(index));
         std::vector<std::size_t> same_face;
         std::vector<std::size_t> other_face;
         for (std::size_t other = of_pair.begin; other < of_pair.end; ++other) {
             if (!is_at(other, corners)) {
                 continue;
             }
-            const bool same = parting(list_.contact[other], position_of(other)).dot(bearing) > one_face;
+            const bool same = parting(now(other)).dot(bearing) > one_face;
             (same ? same_face : other_face).push_back(other);
         }
         for (const std::size_t one : same_face) {
@@ -78,7 +72,7 @@ class Corners {
 
     // Takes both edges away in all contacts of a pair of blocks that have the same two corners.
     void release(std::size_t index, const ContactRange& of_pair) {
-        const CornerPair corners = corners_of(blocks_.bodies, law_of(index), list_.contact[index]);
+        const CornerPair corners = corners_of(blocks_.bodies, now(index));
         for (std::size_t other = of_pair.begin; other < of_pair.end; ++other) {
             if (is_at(other, corners)) {
                 set_trial(other, InTrial::yields);
@@ -88,27 +82,22 @@ class Corners {
 
     // Whether a contact is one of these two corners alone.
     bool is_at(std::size_t index, const CornerPair& corners) const {
-        return law_of(index).alone != 0 && corners_of(blocks_.bodies, law_of(index), list_.contact[index]) == corners;
+        return now(index).law.alone != 0 && corners_of(blocks_.bodies, now(index)) == corners;
     }
 
-    void set_trial(std::size_t index, InTrial now) {
-        const RelaxationContact contact = list_.contact[index];
-        const ContactLaw law = law_of(index);
-        ContactMemory memory = list_.memory[index];
-        const Motion& block = blocks_.motion[contact.block];
-        const Motion& other = blocks_.motion[contact.other];
-        memory.friction += elastic_energy(law, contact, memory, block, other);
-        memory.yields = now == InTrial::yields;
-        memory.insists = now == InTrial::insists;
+    void set_trial(std::size_t index, InTrial in_trial) {
+        auto [contact, law, memory, at] = now(index);
+        memory.friction += elastic_energy(law, contact, memory, at);
+        memory.yields = in_trial == InTrial::yields;
+        memory.insists = in_trial == InTrial::insists;
         memory.tried |= memory.yields;
         memory.shear = memory.normal_drag = memory.shear_drag = 0;
         memory.sliding = false;
-        const ContactPosition at = position_of(index);
         memory.beneath = memory.beneath && !memory.insists;
         memory.touching =
             at.gap < 0 && !memory.yields && !memory.beneath && contact_weight(law, contact, at, memory.insists) > 0;
         memory.place = at.slide;
-        memory.friction -= elastic_energy(law, contact, memory, block, other);
+        memory.friction -= elastic_energy(law, contact, memory, at);
         list_.memory.set(index, memory);
         list_.force[index] = {};
         list_.open_until[index] = not_open;
@@ -127,6 +116,8 @@ class Corners {
     }
 
   private:
+    ContactNow now(std::size_t index) const { return contact_now(list_, index, blocks_.motion); }
+
     const CornerMotion& blocks_;
     ContactList& list_;
     std::vector<char> concerned_;
@@ -157,10 +148,7 @@ bool is_on_corner(const Bodies& bodies, const ContactLaw& law, const RelaxationC
 
 bool relies_on_corners(const CornerMotion& blocks, const std::vector<double>& weight, const ContactList& list) {
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const ContactMemory memory = list.memory[index];
-        const RelaxationContact contact = list.contact[index];
-        const ContactLaw law = list.law_of(contact);
-        const ContactPosition at = locate(contact, blocks.motion[contact.block], blocks.motion[contact.other]);
+        const auto [contact, law, memory, at] = contact_now(list, index, blocks.motion);
         if (!memory.touching || !is_on_corner(blocks.bodies, law, contact, at)) {
             continue;
         }

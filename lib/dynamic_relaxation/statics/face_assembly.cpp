@@ -40,13 +40,10 @@ StrengthsLeft strengths_left(const BlocksUnderLoad& blocks, const JointHistory& 
     StrengthsLeft left;
     const ContactList& list = history.contacts;
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const ContactMemory memory = list.memory[index];
-        const RelaxationContact contact = list.contact[index];
+        const auto [contact, law, memory, at] = contact_now(list, index, blocks.motion);
         if (!memory.touching && !memory.broken) {
             continue;
         }
-        const ContactLaw law = list.law_of(contact);
-        const ContactPosition at = locate(contact, blocks.motion[contact.block], blocks.motion[contact.other]);
         StrengthLeft& of_pair = left[std::minmax<std::size_t>(contact.block, contact.other)];
         of_pair.torn |= memory.broken;
         of_pair.slipped |= memory.broken && memory.touching;
@@ -221,15 +218,10 @@ void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list
                           double least_gap) {
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const ContactMemory memory = list.memory[index];
-        const RelaxationContact contact = list.contact[index];
+        const auto [contact, law, memory, at] = contact_now(list, index, blocks.motion);
         if (!memory.touching ||
-            contact.gap <= least_gap * opening_of_closed_joint(blocks.bodies, contact.block, contact.other)) {
-            continue;
-        }
-        const ContactLaw law = list.law_of(contact);
-        const ContactPosition at = locate(contact, blocks.motion[contact.block], blocks.motion[contact.other]);
-        if (!is_on_edge(blocks.bodies, law, contact, at)) {
+            contact.gap <= least_gap * opening_of_closed_joint(blocks.bodies, contact.block, contact.other) ||
+            !is_on_edge(blocks.bodies, law, contact, at)) {
             continue;
         }
         const PlanePoint<> point = centroid_of(blocks, contact.block) + PlanePoint<>(at.arm_x, at.arm_y);

@@ -29,13 +29,10 @@ StaticCheck check_statics(const Bodies& bodies, const std::vector<char>& held, s
         return std::max(held[block] != 0 ? 0 : inverse_weight[block], held[other] != 0 ? 0 : inverse_weight[other]);
     };
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const ContactMemory memory = list.memory[index];
+        const auto [contact, law, memory, at] = contact_now(list, index, motion);
         if (!memory.touching) {
             continue;
         }
-        const RelaxationContact contact = list.contact[index];
-        const ContactLaw law = list.law_of(contact);
-        const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
         const double weight = contact_weight(law, contact, at, memory.insists);
         const double pressing = -law.normal_stiffness * at.gap;
         const double along = -law.shear_stiffness * memory.shear;

@@ -106,14 +106,11 @@ class StaticSolver {
         constexpr double nearly = 1 - 1e-9;
         bool any = false;
         for (std::size_t index = 0; index < list.contact.size(); ++index) {
-            const RelaxationContact contact = list.contact[index];
-            const ContactLaw law = list.law_of(contact);
-            ContactMemory memory = list.memory[index];
+            auto [contact, law, memory, at] = contact_now(list, index, motion);
             if (!memory.touching || memory.broken || !has_peak(law)) {
                 continue;
             }
-            const double overlap = -locate(contact, motion[contact.block], motion[contact.other]).gap;
-            const double strength = shear_strength(law, law.normal_stiffness * std::max(overlap, 0.0), false);
+            const double strength = shear_strength(law, law.normal_stiffness * std::max(-at.gap, 0.0), false);
             memory.broken = law.shear_stiffness * std::abs(memory.shear) >= nearly * strength;
             list.memory.set(index, memory);
             any |= memory.broken;

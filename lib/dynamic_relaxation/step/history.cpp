@@ -10,10 +10,7 @@ namespace delabole {
 std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationState& state) {
     std::vector<CornerForce> forces;
     for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
-        const RelaxationContact contact = state.contacts.contact[index];
-        const ContactLaw law = state.contacts.law_of(contact);
-        const ContactMemory memory = state.contacts.memory[index];
-        const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
+        const auto [contact, law, memory, at] = contact_now(state.contacts, index, state.motion);
         const double weight = contact_weight(law, contact, at, memory.insists);
         if (!memory.touching || !(weight > 0)) {
             continue;

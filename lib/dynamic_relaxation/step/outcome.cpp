@@ -159,10 +159,8 @@ std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const PlanePoint<
 std::optional<ContactName> deepest_contact(const Bodies& bodies, const RelaxationState& state) {
     std::optional<ContactName> deepest;
     for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
-        const RelaxationContact contact = state.contacts.contact[index];
-        const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
-        if (!state.contacts.memory[index].beneath && !state.contacts.memory[index].yields &&
-            contact_weight(state.contacts.law_of(contact), contact, at, state.contacts.memory[index].insists) > 0 &&
+        const auto [contact, law, memory, at] = contact_now(state.contacts, index, state.motion);
+        if (!memory.beneath && !memory.yields && contact_weight(law, contact, at, memory.insists) > 0 &&
             -at.gap > (deepest ? deepest->overlap : 0)) {
             deepest = ContactName{contact.block, contact.corner - bodies.range[contact.block].begin, contact.other,
                                   contact.edge - bodies.range[contact.other].begin, -at.gap};

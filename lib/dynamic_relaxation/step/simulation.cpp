@@ -148,8 +148,7 @@ void Simulation::begin(JointsAtStart joints) {
     const bool crept = settings_.creep && state_.start_balance &&
                        state_.start_balance->unbalanced_ratio > static_solve_settings().tolerance;
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
-        const RelaxationContact contact = state_.contacts.contact[index];
-        ContactMemory memory = state_.contacts.memory[index];
+        auto [contact, law, memory, at] = contact_now(state_.contacts, index, state_.motion);
         memory.friction = 0;  // edges exchanged at corners while springs were preloaded
         memory.slip = crept ? memory.slip : 0;
         state_.contacts.memory.set(index, memory);
@@ -157,9 +156,7 @@ void Simulation::begin(JointsAtStart joints) {
         if (!is_preloaded(settings_.start) && contact.gap < 0 && !memory.beneath && !memory.yields) {
             memory.touching = true;
         }
-        state_.energy_balance.elastic_at_start +=
-            elastic_energy(state_.contacts.law_of(contact), contact, memory, state_.motion[contact.block],
-                           state_.motion[contact.other]);
+        state_.energy_balance.elastic_at_start += elastic_energy(law, contact, memory, at);
     }
 }
 
@@ -221,11 +218,9 @@ void Simulation::take_away(std::size_t block, char why) {
 
 void Simulation::account_for_springs_of_removed(std::size_t block) {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
-        const RelaxationContact contact = state_.contacts.contact[index];
+        const auto [contact, law, memory, at] = contact_now(state_.contacts, index, state_.motion);
         if (contact.block == block || contact.other == block) {
-            state_.energy_balance.friction +=
-                elastic_energy(state_.contacts.law_of(contact), contact, state_.contacts.memory[index],
-                               state_.motion[contact.block], state_.motion[contact.other]);
+            state_.energy_balance.friction += elastic_energy(law, contact, memory, at);
         }
     }
     for (std::size_t index = 0; index < state_.bond.size(); ++index) {

@@ -47,12 +47,10 @@ EnergyBalance Simulation::energy_balance() const {
         energy_balance.dashpots += memory.damping;
     }
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
-        const RelaxationContact contact = state_.contacts.contact[index];
-        const ContactMemory memory = state_.contacts.memory[index];
+        const auto [contact, law, memory, at] = contact_now(state_.contacts, index, state_.motion);
         energy_balance.friction += memory.friction;
         energy_balance.dashpots += memory.damping;
-        energy_balance.elastic += elastic_energy(state_.contacts.law_of(contact), contact, memory,
-                                                 state_.motion[contact.block], state_.motion[contact.other]);
+        energy_balance.elastic += elastic_energy(law, contact, memory, at);
     }
     return energy_balance;
 }

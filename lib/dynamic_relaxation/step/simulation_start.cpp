@@ -33,13 +33,12 @@ BondMemory with_no_energy_yet(BondMemory memory) {
 void lose_strength_where_open(const Bodies& bodies, const std::vector<Motion>& motion, ContactList& list) {
     constexpr double rounding = 1e-9;  // of the shortest edge
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        ContactMemory memory = list.memory[index];
-        const RelaxationContact contact = list.contact[index];
-        if (memory.touching || memory.beneath || memory.broken || !has_peak(list.law_of(contact))) {
+        auto [contact, law, memory, at] = contact_now(list, index, motion);
+        if (memory.touching || memory.beneath || memory.broken || !has_peak(law)) {
             continue;
         }
         const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
-        memory.broken = locate(contact, motion[contact.block], motion[contact.other]).gap > rounding * shortest;
+        memory.broken = at.gap > rounding * shortest;
         list.memory.set(index, memory);
     }
 }

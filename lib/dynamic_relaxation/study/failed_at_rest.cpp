@@ -91,10 +91,8 @@ void move_to_onset(const Bodies& bodies, const RelaxationSettings& settings, std
     state.base_slip.assign(bodies.size(), 0);
     state.dropped_slip.assign(bodies.size(), {});
     for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
-        const RelaxationContact contact = state.contacts.contact[index];
-        ContactMemory memory = state.contacts.memory[index];
-        memory.slip =
-            memory.touching ? locate(contact, state.motion[contact.block], state.motion[contact.other]).slide : 0;
+        auto [contact, law, memory, at] = contact_now(state.contacts, index, state.motion);
+        memory.slip = memory.touching ? at.slide : 0;
         state.contacts.memory.set(index, memory);
     }
 }

@@ -105,7 +105,7 @@ double shear_energy_of_new_contact(const PlanePoint<>& velocity) {
     double open_by = 0;
     advance_contact(law, contact, TwinThatTouches{1e-9, 1e-5}, block, Motion{}, step, memory, open_by);
     EXPECT_TRUE(memory.touching);
-    return elastic_energy(law, contact, memory, block, Motion{});
+    return elastic_energy(law, contact, memory, locate(contact, block, Motion{}));
 }
 
 TEST(Contacts, TakeOverTheShearOfATwinWhereTheyComeAlongTheEdgeAlone) {
