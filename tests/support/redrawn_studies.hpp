@@ -37,9 +37,7 @@ inline RelaxationStudy as_polygons(RelaxationStudy study) {
         joint.normal_stiffness = material.normal_stiffness;
         joint.shear_stiffness = material.shear_stiffness;
         if (material.bond) {
-            const BondMaterial& rock = scene.bond_material[*material.bond];
-            joint.bond = RelaxationBond{rock.young_modulus, rock.shear_modulus,  rock.tensile_strength,
-                                        rock.cohesion,      rock.friction_angle, rock.spacing};
+            joint.bond = scene.bond_material[*material.bond];
         }
         polygons.joint.push_back(joint);
     }

@@ -25,28 +25,6 @@ enum class BlockHold { free, fixed, held_at_first };
 inline constexpr std::string_view hold_meaning =
     "fixed moves only as prescribed, held_at_first not before settings.consolidation_time; absent: free";
 
-// Intact rock, until it breaks, across faces that lie on each other in the initial geometry (bonds.hpp).
-struct RelaxationBond {
-    double young_modulus;
-    double shear_modulus;
-    double tensile_strength;
-    double cohesion;
-    double friction_angle;
-    std::optional<double> spacing;
-    static constexpr auto fields() {
-        using B = RelaxationBond;
-        return FieldTable{
-            number<&B::young_modulus>(Dimension::stress, more_than(0),
-                                      "of the plane: E in plane stress, E / (1 - nu^2) in plane strain"),
-            number<&B::shear_modulus>(Dimension::stress, more_than(0), "of the rock"),
-            number<&B::tensile_strength>(Dimension::stress, at_least(0), "of the rock"),
-            number<&B::cohesion>(Dimension::stress, at_least(0), "of the rock"),
-            number<&B::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "of the rock"),
-            number<&B::spacing>(Dimension::length, more_than(0),
-                                "over which the rock deforms; absent: of the blocks' centroids from the face")};
-    }
-};
-
 // Strength applies to the shared length of two faces, stiffness to one corner on one edge.
 struct RelaxationJoint {
     double friction_angle;
@@ -55,7 +33,7 @@ struct RelaxationJoint {
     std::optional<double> tensile_strength;
     std::optional<double> normal_stiffness;
     std::optional<double> shear_stiffness;
-    std::optional<RelaxationBond> bond;
+    std::optional<BondMaterial> bond;
     std::optional<double> residual_cohesion = {};
     static constexpr auto fields() {
         using J = RelaxationJoint;
@@ -263,18 +241,6 @@ struct Tilting {
     }
 };
 
-// The model lies on a belt, whose friction drives it instead of gravity: see base_friction.hpp.
-struct BaseFriction {
-    double belt_speed;
-    double friction_angle;
-    static constexpr auto fields() {
-        return FieldTable{number<&BaseFriction::belt_speed>(Dimension::speed, more_than(0),
-                                                            "of the belt, with the direction gravity would have"),
-                          number<&BaseFriction::friction_angle>(Dimension::angle, between(0, degrees(90)),
-                                                                "of the blocks on the belt")};
-    }
-};
-
 struct ForceOnBlock {
     double block;
     double x;
@@ -440,7 +406,7 @@ struct Relaxation {
     std::optional<std::string> shaking_file;
     BlockScene scene;
     std::optional<Tilting> tilting;
-    std::optional<BaseFriction> base_friction;
+    std::optional<Belt> base_friction;
     std::vector<ForceOnBlock> force;
     std::vector<RelaxationBolt> bolt;
     std::vector<BoltRows> support;

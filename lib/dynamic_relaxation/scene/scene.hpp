@@ -8,6 +8,7 @@
 #pragma once
 
 #include "geometry/polygon.hpp"
+#include "parameters/fields.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -34,17 +35,27 @@ struct JointMaterial {
     double residual_cohesion = 0;
 };
 
-// Intact rock between two blocks (bonds.hpp). Young's modulus is that of the plane problem: E in plane stress,
-// E / (1 - nu^2) in plane strain.
+// Intact rock, until it breaks, across faces of two blocks that lie on each other in the initial geometry (bonds.hpp).
 struct BondMaterial {
-    double young_modulus;     // Pa, more than 0
-    double shear_modulus;     // Pa, more than 0
-    double tensile_strength;  // Pa, at least 0
-    double cohesion;          // Pa, at least 0
-    double friction_angle;    // 0 to below 90 deg
-    // m, length over which the rock at the bond deforms: stiffness per area is modulus over spacing. Unset: the
-    // distance of the blocks' centroids from the face, which counts as zero for a fixed block.
+    double young_modulus;
+    double shear_modulus;
+    double tensile_strength;
+    double cohesion;
+    double friction_angle;
+    // Stiffness per area is modulus over spacing. The centroid of a fixed block counts as at no distance from the face.
     std::optional<double> spacing = {};
+    static constexpr auto fields() {
+        using B = BondMaterial;
+        return FieldTable{
+            number<&B::young_modulus>(Dimension::stress, more_than(0),
+                                      "of the plane: E in plane stress, E / (1 - nu^2) in plane strain"),
+            number<&B::shear_modulus>(Dimension::stress, more_than(0), "of the rock"),
+            number<&B::tensile_strength>(Dimension::stress, at_least(0), "of the rock"),
+            number<&B::cohesion>(Dimension::stress, at_least(0), "of the rock"),
+            number<&B::friction_angle>(Dimension::angle, right_open(0, degrees(90)), "of the rock"),
+            number<&B::spacing>(Dimension::length, more_than(0),
+                                "over which the rock deforms; absent: of the blocks' centroids from the face")};
+    }
 };
 
 // Two faces that lie on each other in the initial geometry, at least one of them of a free block.
@@ -137,8 +148,14 @@ struct Removal {
 // A belt under the section that moves in gravity's direction and drives the blocks by friction instead of gravity,
 // whose acceleration presses them onto it (base_friction.hpp).
 struct Belt {
-    double speed;           // m/s, more than 0
-    double friction_angle;  // of the blocks on the belt, more than 0 to below 90 deg
+    double speed;
+    double friction_angle;
+    static constexpr auto fields() {
+        return FieldTable{
+            number("belt_speed", &Belt::speed, Dimension::speed, more_than(0),
+                   "of the belt, with the direction gravity would have"),
+            number<&Belt::friction_angle>(Dimension::angle, between(0, degrees(90)), "of the blocks on the belt")};
+    }
 };
 
 struct RelaxationScene {

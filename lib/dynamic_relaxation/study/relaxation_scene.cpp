@@ -38,10 +38,9 @@ JointMaterial material_of(const RelaxationJoint& joint) {
 // The materials are those of the joints, in the order of the case.
 void add_bonds(RelaxationScene& scene, const std::vector<RelaxationJoint>& joints) {
     for (std::size_t index = 0; index < joints.size(); ++index) {
-        if (const std::optional<RelaxationBond>& bond = joints[index].bond) {
+        if (joints[index].bond) {
             scene.material[index].bond = scene.bond_material.size();
-            scene.bond_material.push_back({bond->young_modulus, bond->shear_modulus, bond->tensile_strength,
-                                           bond->cohesion, bond->friction_angle, bond->spacing});
+            scene.bond_material.push_back(*joints[index].bond);
         }
     }
 }
@@ -354,9 +353,7 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     if (all_joints_known(scene)) {
         scene.bond = find_bonds(scene);
     }
-    if (model.base_friction) {
-        scene.belt = Belt{model.base_friction->belt_speed, model.base_friction->friction_angle};
-    }
+    scene.belt = model.base_friction;
     if (model.tilting) {
         apply_tilting(scene, *model.tilting);
     }

@@ -37,7 +37,7 @@ RelaxationStudy toe(const SlopeCut& plane, double friction, std::vector<SectionP
     open.friction_angle = friction;
     RelaxationJoint intact{};
     intact.friction_angle = degrees(45);
-    intact.bond = RelaxationBond{20e9, 8e9, 5e6, 5e6, degrees(45), {}};
+    intact.bond = BondMaterial{20e9, 8e9, 5e6, 5e6, degrees(45), {}};
     slope.joint = {{"joint", {}, open}, {"intact", {}, intact}};
     slope.frame = SlopeFrame{FrameSides::all_around, 5, {}, "joint"};
     RelaxationStudy study{};

@@ -214,7 +214,7 @@ TEST(SlopeScene, DurationIsAnAnswerWhereItWasAskedFor) {
 TEST(SlopeScene, ThatCannotBeCutHasNoBlocksAndNoBonds) {
     RelaxationStudy study{};
     RelaxationSlope slope = slope_of(square(6), bricks());
-    slope.joint[0].strength.bond = RelaxationBond{1e9, 4e8, 1e5, 1e5, degrees(30), {}};
+    slope.joint[0].strength.bond = BondMaterial{1e9, 4e8, 1e5, 1e5, degrees(30), {}};
     slope.geometry.cut[0].joint = "no such joint";
     study.model.scene = slope;
     EXPECT_EQ(number_of_blocks(study), 0U);

@@ -162,7 +162,7 @@ RelaxationStudy row_study(std::vector<RelaxationRowBlock> blocks, double frictio
     RelaxationStudy study{};
     study.model.scene = row;
     if (on_belt) {
-        study.model.base_friction = BaseFriction{speed, degrees(35)};
+        study.model.base_friction = Belt{speed, degrees(35)};
     }
     RelaxationNumerics numerics{};
     numerics.quality = RelaxationQuality::draft;
