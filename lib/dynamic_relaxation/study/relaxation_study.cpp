@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace delabole {
@@ -273,35 +272,8 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work) {
     return run(study, work, progress);
 }
 
-RelaxationAnswer answer_of(const RelaxationResult& result) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const std::optional<FirstCrack>& crack = result.first_crack;
-    return {result.outcome,
-            result.onset_time.value_or(infinite),
-            result.time,
-            result.tilt_of_base,
-            crack ? crack->time : infinite,
-            crack ? crack->tilt : infinite,
-            crack ? static_cast<double>(std::min(crack->block, crack->other) + 1) : 0,
-            crack ? static_cast<double>(std::max(crack->block, crack->other) + 1) : 0,
-            static_cast<double>(result.broken_bonds),
-            result.start_balance ? result.start_balance->unbalanced_ratio : infinite,
-            result.unbalanced_ratio,
-            result.deepest ? result.deepest->overlap : 0,
-            result.overlap ? result.overlap->area : 0,
-            result.energy_balance,
-            static_cast<double>(result.cost.steps),
-            result.cost.step,
-            static_cast<double>(result.cost.contacts_evaluated),
-            {},
-            {},
-            {},
-            result.block,
-            result.bolt};
-}
-
 RelaxationAnswer answer_of(const RelaxationRun& run) {
-    RelaxationAnswer answer = answer_of(run.result);
+    RelaxationAnswer answer{run.result};
     if (run.post_failure) {
         answer.post_failure = run.post_failure->answer;
         answer.early_failure = run.early_failure.value_or(*run.post_failure).answer;

@@ -10,8 +10,10 @@
 #include "dynamic_relaxation/study/ensemble.hpp"
 #include "dynamic_relaxation/study/post_failure.hpp"
 #include "dynamic_relaxation/study/retrogression.hpp"
+#include "numerics/constants.hpp"
 #include "parameters/model_interface.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -144,50 +146,50 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study, const Relax
 // The stiffness ratio of the settings, or of their quality. Joints that give their own stiffness do not follow it.
 double stiffness_ratio_of(const RelaxationStudy& study);
 
-struct RelaxationAnswer {
-    RelaxationOutcome outcome;
-    double onset_time;
-    double time;
-    double tilt;
-    double crack_time;
-    double crack_tilt;
-    double crack_block;
-    double crack_neighbour;
-    double broken_bonds;
-    double unbalanced_at_start;
-    double unbalanced_ratio;
-    double greatest_overlap;
-    double overlap_area;
-    EnergyBalance energy;
-    double steps;
-    double time_step;
-    double contacts_evaluated;
-    std::optional<PostFailureAnswer> post_failure;     // of a jointed slope
-    std::optional<PostFailureAnswer> early_failure;    // of a jointed slope
-    std::optional<RetrogressionAnswer> retrogression;  // if requested
-    std::vector<BlockOutcome> block;
-    std::vector<BoltOutcome> bolt;
+// The result as outputs: numbers that a run does not have are infinite or 0.
+struct RelaxationAnswer : RelaxationResult {
+    std::optional<PostFailureAnswer> post_failure = {};     // of a jointed slope
+    std::optional<PostFailureAnswer> early_failure = {};    // of a jointed slope
+    std::optional<RetrogressionAnswer> retrogression = {};  // if requested
+
+    double onset() const { return onset_time.value_or(infinity); }
+    double crack_time() const { return first_crack ? first_crack->time : infinity; }
+    double crack_tilt() const { return first_crack ? first_crack->tilt : infinity; }
+    double crack_block() const {
+        return first_crack ? static_cast<double>(std::min(first_crack->block, first_crack->other) + 1) : 0;
+    }
+    double crack_neighbour() const {
+        return first_crack ? static_cast<double>(std::max(first_crack->block, first_crack->other) + 1) : 0;
+    }
+    double bonds_broken() const { return static_cast<double>(broken_bonds); }
+    double unbalanced_at_start() const { return start_balance ? start_balance->unbalanced_ratio : infinity; }
+    double greatest_overlap() const { return deepest ? deepest->overlap : 0; }
+    double overlap_area() const { return overlap ? overlap->area : 0; }
+    double steps() const { return static_cast<double>(cost.steps); }
+    double contacts_evaluated() const { return static_cast<double>(cost.contacts_evaluated); }
+    double time_step() const { return cost.step; }
     static constexpr auto fields() {
         using R = RelaxationAnswer;
         return FieldTable{
             section<&R::outcome>("how the run ended"),
-            number<&R::onset_time>(Dimension::time,
-                                   "of failure; infinite: no onset; 0: the blocks rest, but not as drawn"),
+            number("onset_time", &R::onset, Dimension::time, any_number(),
+                   "of failure; infinite: no onset; 0: the blocks rest, but not as drawn"),
             number<&R::time>(Dimension::time, "model time at the end"),
-            number<&R::tilt>(Dimension::angle, "of gravity and a turned base together, at the end"),
+            number("tilt", &R::tilt_of_base, Dimension::angle, any_number(),
+                   "of gravity and a turned base together, at the end"),
             number<&R::crack_time>(Dimension::time, "of the first tension crack; infinite: none seen"),
             number<&R::crack_tilt>(Dimension::angle,
                                    "of gravity and a turned base together at that time; infinite: none seen"),
             number<&R::crack_block>("number of the lower block beside it; 0: none seen"),
             number<&R::crack_neighbour>("number of the other; 0: none seen"),
-            number<&R::broken_bonds>("bonds that broke"),
+            number("broken_bonds", &R::bonds_broken, Dimension::ratio, any_number(), "bonds that broke"),
             number<&R::unbalanced_at_start>("greatest unbalanced force on a block, with moment over radius, over its "
                                             "load in a preloaded start; infinite: not preloaded"),
             number<&R::unbalanced_ratio>("greatest unbalanced force on a block over its weight at the end"),
             number<&R::greatest_overlap>(Dimension::length, "of a corner and an edge at the end"),
             number<&R::overlap_area>(Dimension::area,
                                      "that two blocks have in common, of the two that lay deepest in each other"),
-            section<&R::energy>("the energy balance"),
+            section("energy", &R::energy_balance, "the energy balance"),
             number<&R::steps>("time steps made"),
             number<&R::time_step>(Dimension::time, "the last one"),
             number<&R::contacts_evaluated>("contact forces computed in all"),
@@ -268,8 +270,6 @@ SceneFault check(const RelaxationStudy& study);
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work = {});
 
-// Answer of a run, without the part that concerns its slope.
-RelaxationAnswer answer_of(const RelaxationResult& result);
 RelaxationAnswer answer_of(const RelaxationRun& run);
 
 // The part of a slope that has failed at a given time of a run. Empty for other scenes.

@@ -83,8 +83,8 @@ std::optional<FrameFailure> tilt_until_failure(const FrameRow& row) {
     if (made.result.outcome != RelaxationOutcome::onset && made.result.outcome != RelaxationOutcome::collapse) {
         return std::nullopt;
     }
-    const RelaxationAnswer answer = answer_of(made.result);
-    return FrameFailure{answer.tilt, answer.crack_tilt, static_cast<std::size_t>(answer.crack_block)};
+    const RelaxationAnswer answer{made.result};
+    return FrameFailure{answer.tilt_of_base, answer.crack_tilt(), static_cast<std::size_t>(answer.crack_block())};
 }
 
 std::optional<double> critical_tilt(const WornColumn& column) {
