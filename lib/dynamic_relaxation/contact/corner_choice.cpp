@@ -165,7 +165,8 @@ std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std
                                            ContactList& list) {
     Corners corners(blocks, list);
     for_each_pair(list, weight, [&](const ContactRange& of_pair, double least) {
-        // Where both edges bear, the one with the larger force gives way, whatever the order of blocks and corners.
+        // Of three edges in a corner two may bear and squeeze a tip. The one with the larger force gives way, whatever
+        // the order of blocks and corners.
         std::vector<std::pair<double, std::size_t>> relied;
         for (std::size_t index = of_pair.begin; index < of_pair.end; ++index) {
             relied.emplace_back(-corners.relied_on(index), index);

@@ -21,13 +21,11 @@
 //     that presses the columns together times d / (2 l), some millionths of it;
 //   - a body is in equilibrium if the work of its forces is not positive for any motion that is possible. Here that
 //     requires equilibrium with n1 alone and with n2 alone: a block held by only one of them can give way to the other
-//     side. So blocks that rest on corners on corners, and that faces alone do not hold (see below), have to rest with
-//     the other edges as well: all of them are exchanged at once, in a trial. Of three edges in a corner two may bear
-//     and squeeze a tip: the one that holds more gives way, in whatever order blocks and corners are numbered. In a
-//     trial the other edge bears until it is more than 64 times as deep as its rival: then the blocks are beside each
-//     other rather than corner on corner. (A tip of 1 deg that slides down a plane comes 57 times as deep below level
-//     ground as the ground's corner comes below its face.) When equilibrium is found in the trial, the edges that bore
-//     before it bear again. A trial pushes the blocks, by so much that in slopes of thousand blocks many go on moving:
+//     side. So blocks that rest on corners on corners have to rest with the other edges as well: all that bear are
+//     exchanged at once, in a trial, and bear again once it has found equilibrium. In it the other edge bears until it
+//     is more than 64 times as deep as its rival: then the blocks are beside each other rather than corner on corner.
+//     (A tip of 1 deg that slides down a plane comes 57 times as deep below level ground as the ground's corner comes
+//     below its face.) A trial pushes the blocks, by so much that in slopes of thousand blocks many go on moving:
 //     blocks that faces hold are spared it, and so are those of searches, which have failed if faces do not hold them.
 //
 // Edges whose normals differ by less than 20 deg count as one face that lies on a face of the other block: their
@@ -42,16 +40,15 @@
 //
 // Blocks that both edges hold are not thereby safe. Where three edges meet in a corner, for instance at a wedge whose
 // tip stands in the corner between a plane and the level ground in front of it, no motion may be possible, whatever the
-// friction: a rigid point carries any load. A real point does not. UDEC rounds corners; a corner with a radius r that
-// stands on another bears on an area of about r, under a stress that no rock withstands where r is small, and corners
-// that have crushed or chipped hold no more than the faces do. Rigid blocks cannot show how close they are to that. So
-// a state counts as equilibrium here only if the faces alone hold it. Forces within the strength of faces that lie on
-// each other, and of corners within edges, which have one normal, have to exist (limit_equilibrium/bound/lp_bound.hpp,
-// `least_imbalance`). That they exist is no proof, because the joints do not dilate as they slip: so the blocks have to
-// stay, too, when both edges give way at every corner on a corner, in a trial that ends at rest or past the thresholds
-// of onset. (Columns that topple on a base which ends in the corner of level ground stand by forces up to a factor of
-// 0.940; they fail at 0.772 where the ground is lower, and in this trial.) A state that needs corners on corners is
-// held by corners, which is neither equilibrium nor failure (RelaxationOutcome).
+// friction: a rigid point carries any load. A real one, of a radius r (UDEC rounds corners), bears on an area of about
+// r, under a stress that no rock withstands where r is small, and once crushed or chipped it holds no more than the
+// faces do; how near it is to that, rigid blocks cannot show. So a state counts as equilibrium here only if the faces
+// alone hold it. Forces within the strength of faces that lie on each other, and of corners within edges, which have
+// one normal, have to exist (`least_imbalance` in lp_bound.hpp). That they exist is no proof, because the joints do not
+// dilate as they slip: so the blocks have to stay, too, when both edges give way at every corner on a corner, in a
+// trial that ends at rest or past the thresholds of onset. (Columns that topple on a base which ends in the corner of
+// level ground stand by forces up to a factor of 0.940; they fail at 0.772 where the ground is lower, and in this
+// trial.) Otherwise corners hold it, which is neither equilibrium nor failure (RelaxationOutcome).
 //
 // Sources: Moreau, J. J. (1988) Unilateral contact and dry friction in finite freedom dynamics, in: Nonsmooth mechanics
 // and applications, CISM 302, 1-82 (virtual work over the cone of possible velocities); Shi, G.-H. (1988) Discontinuous
@@ -79,27 +76,27 @@ struct CornerMotion {
     const std::vector<Motion>& motion;
 };
 
+// Below, blocks rely on a contact of a corner on a corner if its force exceeds a thousandth of the weight of the
+// lighter of the two. `weight`: N/m, of each block; infinite where it is held.
+
 // Whether the corner is within a hundredth of the smaller block's radius of an end of its edge at which the blocks
 // could bear over another edge as well: blocks move no farther than that before the onset of failure.
 bool is_on_corner(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact,
                   const ContactPosition& at);
 
-// Whether any contact of a corner on a corner carries a force above a thousandth of the weight of the lighter of the
-// two blocks. `weight`: as below.
+// Whether blocks rely on any contact of a corner on a corner.
 bool relies_on_corners(const CornerMotion& blocks, const std::vector<double>& weight, const ContactList& list);
 
-// Begins a trial: exchanges the edge that bears at all corners on corners where that has not been tried and where the
-// force exceeds a thousandth of the weight of the lighter of the two blocks. `weight`: N/m, of each block; infinite
-// where it is held. Returns the blocks concerned that are not held, in increasing order; empty if every bearing edge
-// has been tried. Elastic energy gained or lost is counted with the contacts' friction.
+// Begins a trial: exchanges the edge that bears at all corners on which blocks rely where that has not been tried.
+// Returns the blocks concerned that are not held, in increasing order; empty if every bearing edge has been tried.
+// Elastic energy gained or lost is counted with the contacts' friction.
 std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std::vector<double>& weight,
                                            ContactList& list);
 // Ends a trial in which balance was found and returns the free blocks whose contacts it changed; empty if no trial was
 // under way.
 std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& list);
-// Takes both edges away wherever a corner on a corner carries a force above a thousandth of the weight of the lighter
-// of the two blocks, until they are beside each other. Returns whether there was any that is not among those that have
-// given way before, to which it is added: corners and edges of contacts.
+// Takes both edges away wherever blocks rely on a corner, until they are beside each other. Returns whether there was
+// any that is not among those that have given way before, to which it is added: corners and edges of contacts.
 bool give_way_at_corners(const CornerMotion& blocks, const std::vector<double>& weight, ContactList& list,
                          std::set<std::pair<std::uint32_t, std::uint32_t>>& before);
 // Records as tried the edges that a successful trial, which began with `memory`, has marked.

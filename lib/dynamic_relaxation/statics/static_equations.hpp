@@ -40,7 +40,8 @@ class StaticEquations {
     // Sets the share of the loads that acts, initially 1.
     void set_load_share(double share) { load_share_ = share; }
 
-    // Turns on the pseudo-viscosity of contacts, for which otherwise nothing is computed.
+    // Turns on the pseudo-viscosity of contacts, including open ones, which keeps them from fluttering. Otherwise
+    // nothing is computed for it.
     void let_contacts_resist() { contacts_resist_ = true; }
 
     // Computes forces and the parts of tangents after blocks have moved to `motion`, starting from the memories

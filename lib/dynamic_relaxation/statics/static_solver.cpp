@@ -386,8 +386,8 @@ class StaticSolver {
     }
 
     // Near the limit of stability each step leaves much the same imbalance: blocks approach their balance in a slow
-    // motion that dies out, or creep at a steady rate. The rest of the former, or many steps of the latter, are made at
-    // once if they leave little imbalance.
+    // motion that dies out, or creep at a steady rate. The rest of the former (Aitken's extrapolation), or many steps
+    // of the latter, are made at once if they leave little imbalance.
     bool go_on_alike(const std::vector<Motion>& start, const StaticSolution& met,
                      const Eigen::VectorXd& unbalanced_before, const Eigen::VectorXd& moved, const MemoryArray& memory,
                      std::vector<Motion>& motion, ContactList& list) {

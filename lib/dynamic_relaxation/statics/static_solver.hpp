@@ -51,19 +51,10 @@ struct StaticSolution {
 //
 // Method: implicit integration of a motion without mass, resisted by a pseudo-viscosity that decreases as balance
 // improves: it converges to stable equilibria only. Each solution uses Newton's tangents of the contacts (friction
-// makes them unsymmetric). Fewer than 24 free blocks move by one linear solution at a time, 300 at most. For the
-// nearest balance this is tried with a first resistance of 1, 30 and 1000 times the joints' stiffness, until a balance
-// lies within a tenth of the limits of creep, or else the nearest is taken. If there is none, the blocks creep, in 2000
-// solutions at most where they may be left crept.
-//
-// More blocks do not find balance in this way, because too many contacts begin or end to slide or to touch in one
-// solution. There, each step is solved until pseudo-viscosity balances the unbalanced forces, from the memories that
-// contacts had before it. Not only the blocks resist but also their contacts, including open ones, which keeps them
-// from fluttering; there are 2000 linear solutions at most. Near the limit of stability, what is left of a slow motion
-// that dies out is made at once (Aitken's extrapolation), and so are many steps of a steady creep. Where the force of a
-// contact jumps even in a very short step, the jump is accepted, up to 20 times, and balanced by the steps after it,
-// unless there are bonds, which it might break. If bonded blocks, fewer than 400 and not left to creep, find no
-// balance, the solver tries again with loads that grow in eight steps.
+// makes them unsymmetric). Fewer than 24 free blocks move by one linear solution at a time, 300 at most, or 2000 where
+// they may be left crept. More blocks move in steps, each solved until pseudo-viscosity, which then acts in contacts,
+// too, balances the unbalanced forces; there are 2000 linear solutions at most. If bonded blocks, fewer than 400 and
+// not left to creep, find no balance, the solver tries again with loads that grow in eight steps.
 StaticSolution solve_statically(const Bodies& bodies, const std::vector<char>& held,
                                 const std::vector<Eigen::Vector3d>& loads, const StaticSolveSettings& settings,
                                 const StaticSolution* creeping, const Bonds& bonds,

@@ -137,12 +137,11 @@ bool Simulation::corners_may_bear() const {
     return settings_.corners_bear || scene_.belt;
 }
 
-// Whether the faces alone hold the blocks in their present positions and under the present loads, or corners may bear;
-// records the blocks that would move. After onset only touching contacts count; before it, the faces of the initial
-// geometry do, because a minute rotation opens one end of them or the other, and bolts bear from nothing up to
-// their capacity, of which little is needed as long as corners bear. Forces of faces that suffice are no proof,
-// because friction does not dilate as the linear programme supposes: the blocks have to stay when the corners give way,
-// too. Cases that the programme cannot solve are left to that trial, or held by corners if none gives way in it.
+// Whether the faces alone hold the blocks in their present positions and under the present loads (corner_choice.hpp),
+// or corners may bear; records the blocks that would move. After onset only touching contacts count; before it, the
+// faces of the initial geometry do, because a minute rotation opens one end of them or the other, and bolts bear from
+// nothing up to their capacity, of which little is needed as long as corners bear. Cases that the linear programme
+// cannot solve are left to the trial in which corners give way, or held by corners if none does.
 bool Simulation::held_by_faces() {
     if (corners_may_bear() || without_corners_ ||
         !relies_on_corners({bodies_, state_.motion}, weights(), state_.contacts)) {

@@ -6,8 +6,7 @@
 // came to rest in motion, values less demanding by 2 to 10 % are tried as well, and where they rest without motion at
 // the angle found, four on its way from the bound at which the blocks should stand; where they crept, these are tried
 // in either case, and angles less by 2 to 7 % of that way. The answer is the least demanding at which they were found
-// to fail. Blocks that rest beyond the threshold of onset from where a run began have failed. Those that rest, or whose
-// run has no verdict, fail if statics finds no forces that hold them in the initial geometry (failed_at_rest.hpp).
+// to fail, in motion or at rest (failed_at_rest.hpp).
 #pragma once
 
 #include "dynamic_relaxation/step/outcome.hpp"
