@@ -3,7 +3,6 @@
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/results/analysis.hpp"
-#include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/result_folder.hpp"

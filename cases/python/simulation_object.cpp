@@ -1,6 +1,6 @@
 #include "cases/python/simulation_object.hpp"
 
-#include "cases/program/results/impossible_case.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/terminal/options.hpp"
 #include "cases/python/arrays.hpp"
 #include "cases/python/case_object.hpp"

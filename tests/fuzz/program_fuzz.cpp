@@ -3,7 +3,7 @@
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/models/stepped_base/bound.hpp"
 #include "cases/program/results/analysis.hpp"
-#include "cases/program/results/impossible_case.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "numerics/fnv_1a.hpp"
 

@@ -1,7 +1,6 @@
 // delabole fit
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reports/study_reports.hpp"
-#include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/kept_evaluations.hpp"
 #include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/study_output.hpp"

@@ -2,7 +2,6 @@
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/document.hpp"
 #include "cases/program/reader/names.hpp"
-#include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/study_output.hpp"
 #include "cases/program/sweeps/support_report.hpp"
 #include "cases/program/sweeps/sweep_report.hpp"

@@ -2,7 +2,7 @@
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/live/server.hpp"
 #include "cases/program/reader/ordinary_file.hpp"
-#include "cases/program/results/impossible_case.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 

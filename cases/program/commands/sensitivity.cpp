@@ -4,7 +4,6 @@
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/reports/study_reports.hpp"
-#include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/kept_evaluations.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "cases/program/results/problems_of_case.hpp"

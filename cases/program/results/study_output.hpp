@@ -1,10 +1,12 @@
-// The result folder of a command over many runs of a model (fit, trade, sensitivity).
+// The result folder of a command over many runs of a model (fit, trade, sensitivity), and what reports say of the
+// inputs.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/options.hpp"
 #include "cases/program/terminal/progress.hpp"
+#include "fitting/posterior/fit_problem.hpp"
 #include "fitting/work/progress.hpp"
 #include "plots/report/report.hpp"
 
@@ -19,6 +21,10 @@ struct StudyOutput {
     std::string screen;
     std::string reserved;  // the reason why the result is not a reliable answer; empty if it is
 };
+
+// Tables of the inputs and of the evidence, with their sources.
+void append_inputs(const CaseFile& file, Report& report);
+Table evidence_table(const FitProblem& problem);
 
 // Shows the progress of a fit as "mechanism: stage".
 FitProgressCallback told_to(Progress& progress);

@@ -4,7 +4,7 @@
 // One value for each key of each model, where the case that has it is shortest, takes seconds. All of them take
 // minutes: DELABOLE_ALL_VALUES=1 program_parts_test --gtest_filter='WrongValues.*'.
 #include "cases/program/results/analysis.hpp"
-#include "cases/program/results/impossible_case.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include "tests/support/case_values.hpp"

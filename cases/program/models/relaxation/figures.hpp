@@ -1,7 +1,9 @@
-// Figures and tables of a run of dynamic relaxation.
+// Figures and tables of a run of dynamic relaxation, and of the section of a slope cut by joints.
 #pragma once
 
+#include "cases/program/results/analysis.hpp"
 #include "cases/program/results/result_folder.hpp"
+#include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "plots/report/report.hpp"
 
@@ -46,6 +48,13 @@ void append_failure_figure(const RelaxationRun& failed, const std::string& title
 
 // The end of a run: how each block has moved, the velocities, and what has broken.
 Figure mechanism_figure(const RelaxationRun& made, const std::string& title);
+
+// Warns of cuts that divided nothing and of intact rock that had to be divided.
+void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& made, Analysis& analysis);
+
+// Figure of the blocks shaded by rock with the water table, and the table of cuts.
+void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made, const ResultFolder& folder,
+                           Report& report);
 
 // Cracks, crest and the ground left standing of a jointed slope as figure, tables and *.csv; nothing for other scenes.
 void append_post_failure(const RelaxationSlope* slope, const RelaxationRun& made, const ResultFolder& folder,

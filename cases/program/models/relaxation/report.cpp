@@ -3,7 +3,6 @@
 #include "cases/program/models/relaxation/checkpoint_file.hpp"
 #include "cases/program/models/relaxation/critical_report.hpp"
 #include "cases/program/models/relaxation/figures.hpp"
-#include "cases/program/models/relaxation/jointed_slope_figures.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "cases/program/terminal/interrupt.hpp"
