@@ -129,47 +129,6 @@ std::string reproduce_help() {
     return text;
 }
 
-// Words that a command accepts as its argument besides files.
-std::vector<std::string> words_for(const std::string& command) {
-    if (command == "init" || command == "inputs" || command == "outputs") {
-        return delabole::starting_case_names();
-    }
-    std::vector<std::string> words;
-    if (command == "reproduce") {
-        for (const auto& [name, meaning] : delabole::reproducible()) {
-            words.push_back(name);
-        }
-    }
-    return words;
-}
-
-delabole::DescribedCommand described_command(const CLI::App& command) {
-    delabole::DescribedCommand described{.name = command.get_name(),
-                                         .meaning = command.get_description(),
-                                         .words = words_for(command.get_name()),
-                                         .footer = command.get_footer()};
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->get_positional()) {
-            described.argument = option->get_name(true);
-            described.argument_meaning = option->get_description();
-            continue;
-        }
-        delabole::DescribedOption own{.names = {}, .value = {}, .meaning = option->get_description()};
-        for (const std::string& name : option->get_snames()) {
-            own.names.push_back("-" + name);
-        }
-        for (const std::string& name : option->get_lnames()) {
-            own.names.push_back("--" + name);
-        }
-        if (option->get_items_expected_max() > 0) {
-            // CLI11 puts the condition that it checks after a colon.
-            own.value = option->get_type_name().substr(0, option->get_type_name().find(':'));
-        }
-        described.options.push_back(std::move(own));
-    }
-    return described;
-}
-
 std::string example(const std::string& command) {
     return "Example:\n  " + command;
 }
@@ -193,10 +152,10 @@ struct Program {
         app.set_version_flag("--version",
                              std::string(delabole::version()) + " (" + std::string(delabole::revision()) + ")");
         app.add_flag_callback(
-            "--bash-completion", [this] { print_and_end(delabole::bash_completion(described())); },
+            "--bash-completion", [this] { print_and_end(delabole::bash_completion(app)); },
             "Print what completes command lines in bash: source <(delabole --bash-completion)");
         app.add_flag_callback(
-            "--manual-page", [this] { print_and_end(delabole::manual_page(described())); },
+            "--manual-page", [this] { print_and_end(delabole::manual_page(app)); },
             "Print the manual page: delabole --manual-page | man -l -");
         app.require_subcommand(1);
         app.footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml"));
@@ -208,14 +167,6 @@ struct Program {
     [[noreturn]] static void print_and_end(const std::string& text) {
         std::cout << text;
         throw CLI::Success();
-    }
-
-    delabole::DescribedProgram described() const {
-        delabole::DescribedProgram program{app.get_name(), std::string(delabole::version()), app.get_description(), {}};
-        for (const CLI::App* command : app.get_subcommands({})) {
-            program.commands.push_back(described_command(*command));
-        }
-        return program;
     }
 
     // `shared` tells whether several ranks can share the work of the command.
