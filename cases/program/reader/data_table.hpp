@@ -19,6 +19,26 @@
 
 namespace delabole {
 
+// Fields of a row that are alike: words and texts, ratios, other numbers. The comments of the table say what they are.
+template <auto... member>
+constexpr auto table_columns() {
+    return FieldTable{section<member>("")...};
+}
+template <auto... member>
+constexpr auto table_columns(Interval range) {
+    return FieldTable{number<member>(range, "")...};
+}
+template <auto... member>
+constexpr auto table_columns(Dimension dimension, Interval range) {
+    return FieldTable{number<member>(dimension, range, "")...};
+}
+
+// The columns of three and more such groups.
+template <class One, class Other, class... More>
+constexpr auto joined(const One& one, const Other& other, const More&... more) requires(sizeof...(More) > 0) {
+    return joined(joined(one, other), more...);
+}
+
 struct TableColumnField {
     enum class Kind { number, word, text };
     std::string key;

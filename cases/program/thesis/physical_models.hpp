@@ -3,7 +3,7 @@
 // where each number stands in the thesis and what is doubtful; they are built into the program. SI and radians.
 #pragma once
 
-#include "parameters/fields.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
 
 #include <array>
 #include <optional>
@@ -17,7 +17,6 @@ constexpr double mixture_friction = degrees(40.5);  // of the models' material, 
 
 namespace detail {
 constexpr Interval slope_angles = left_open(0, degrees(90));
-constexpr std::string_view doubt_meaning = "what is doubtful in the printed row; empty: nothing";
 }  // namespace detail
 
 enum class SlopeBehaviour { stable, limiting, unstable };
@@ -37,15 +36,15 @@ enum class ModelSurroundings { near_frame, boundary_free };
 
 // A row of Table 3.2: one state of a base friction model and its outcome.
 struct BaseFrictionState {
-    std::string test;
+    std::string test;  // number of the model, side of the table
     double slope_angle;
     double height_over_spacing;
     double joint_dip;
     double joint_spacing;
-    std::optional<double> cross_joint_spacing;
-    std::optional<double> crack_time_from;
+    std::optional<double> cross_joint_spacing;  // absent: continuous columns
+    std::optional<double> crack_time_from;      // to the critical crack path; absent: none given
     std::optional<double> crack_time_to;
-    std::optional<double> crack_angle_from;
+    std::optional<double> crack_angle_from;  // its inclination; absent: none given
     std::optional<double> crack_angle_to;
     SlopeBehaviour behaviour;
     SlopeFoundation foundation;
@@ -59,34 +58,19 @@ struct BaseFrictionState {
 
     double slope_height() const { return height_over_spacing * joint_spacing; }
 
+    static constexpr std::string_view file = "thesis/chapter_3/table_3_2.csv";
     static constexpr auto fields() {
         using S = BaseFrictionState;
         using D = Dimension;
-        return FieldTable{
-            section<&S::test>("number of the model, side of the table"),
-            number<&S::slope_angle>(D::angle, detail::slope_angles, "inclination of the face"),
-            number<&S::height_over_spacing>(more_than(0), "height of the slope over the spacing of the joints"),
-            number<&S::joint_dip>(D::angle, detail::slope_angles, "dip of the joints, into the slope"),
-            number<&S::joint_spacing>(D::length, more_than(0), "normal distance of the joints"),
-            number<&S::cross_joint_spacing>(D::length, more_than(0),
-                                            "normal distance of the cross joints; absent: continuous columns"),
-            number<&S::crack_time_from>(
-                D::time, at_least(0),
-                "time from the last change to the critical crack path, its least; absent: none given"),
-            number<&S::crack_time_to>(D::time, at_least(0), "its greatest"),
-            number<&S::crack_angle_from>(D::angle, detail::slope_angles,
-                                         "inclination of the critical crack path, its least; absent: none given"),
-            number<&S::crack_angle_to>(D::angle, detail::slope_angles, "its greatest"),
-            section<&S::behaviour>("stable, in limiting equilibrium, unstable"),
-            section<&S::foundation>("what the slope stands on"),
-            section<&S::toe>("change made at the toe"),
-            section<&S::columns>("kind of columns"),
-            section<&S::surroundings>("how near the steel frame is"),
-            number<&S::slope_surface>(D::length, more_than(0),
-                                      "length of the ground behind the crest; absent: not printed"),
-            number<&S::base_columns>(at_least(1), "columns that form the bottom of the slope; absent: not printed"),
-            section<&S::remark>("printed remark"),
-            section<&S::doubt>(detail::doubt_meaning)};
+        return joined(
+            table_columns<&S::test, &S::behaviour, &S::foundation, &S::toe, &S::columns, &S::surroundings, &S::remark,
+                          &S::doubt>(),
+            table_columns<&S::slope_angle, &S::joint_dip, &S::crack_angle_from, &S::crack_angle_to>(
+                D::angle, detail::slope_angles),
+            table_columns<&S::height_over_spacing>(more_than(0)),
+            table_columns<&S::joint_spacing, &S::cross_joint_spacing, &S::slope_surface>(D::length, more_than(0)),
+            table_columns<&S::crack_time_from, &S::crack_time_to>(D::time, at_least(0)),
+            table_columns<&S::base_columns>(at_least(1)));
     }
 };
 
@@ -96,27 +80,22 @@ struct SlopeHeightVariation {
     double slope_angle;
     double joint_dip;
     double slope_height;
-    double right_crack_time;
-    std::optional<double> left_crack_time;
+    double right_crack_time;                // to the critical crack path
+    std::optional<double> left_crack_time;  // absent: not built
     double right_crack_angle;
     std::optional<double> left_crack_angle;
     std::string remark;
     std::string doubt;
+    static constexpr std::string_view file = "thesis/chapter_3/table_3_3.csv";
     static constexpr auto fields() {
         using V = SlopeHeightVariation;
         using D = Dimension;
-        return FieldTable{
-            number<&V::model>(at_least(1), "number of the model"),
-            number<&V::slope_angle>(D::angle, detail::slope_angles, "inclination of the face"),
-            number<&V::joint_dip>(D::angle, detail::slope_angles, "dip of the joints, into the slope"),
-            number<&V::slope_height>(D::length, more_than(0), "height of the slope"),
-            number<&V::right_crack_time>(D::time, at_least(0), "time to the critical crack path, right slope"),
-            number<&V::left_crack_time>(D::time, at_least(0), "left slope; absent: not built"),
-            number<&V::right_crack_angle>(D::angle, detail::slope_angles,
-                                          "inclination of the critical crack path, right slope"),
-            number<&V::left_crack_angle>(D::angle, detail::slope_angles, "left slope; absent: not built"),
-            section<&V::remark>("printed remark"),
-            section<&V::doubt>(detail::doubt_meaning)};
+        return joined(table_columns<&V::model>(at_least(1)),
+                      table_columns<&V::slope_angle, &V::joint_dip, &V::right_crack_angle, &V::left_crack_angle>(
+                          D::angle, detail::slope_angles),
+                      table_columns<&V::slope_height>(D::length, more_than(0)),
+                      table_columns<&V::right_crack_time, &V::left_crack_time>(D::time, at_least(0)),
+                      table_columns<&V::remark, &V::doubt>());
     }
 };
 
@@ -127,13 +106,11 @@ struct TiltingFrameAngle {
     double most;
     std::string section;
     std::string meaning;
+    static constexpr std::string_view file = "thesis/chapter_3/tilting_frame.csv";
     static constexpr auto fields() {
         using A = TiltingFrameAngle;
-        return FieldTable{delabole::section<&A::key>("its name here"),
-                          number<&A::least>(Dimension::angle, within(0, degrees(90)), "least printed"),
-                          number<&A::most>(Dimension::angle, within(0, degrees(90)), "greatest printed"),
-                          delabole::section<&A::section>("section of the thesis"),
-                          delabole::section<&A::meaning>("what it is")};
+        return joined(table_columns<&A::key, &A::section, &A::meaning>(),
+                      table_columns<&A::least, &A::most>(Dimension::angle, within(0, degrees(90))));
     }
 };
 
@@ -141,7 +118,7 @@ enum class FieldVerdict { no, partly, yes, not_said };
 
 // How far a model of Plates 2.I to 2.VI reproduced the failure, by the three criteria of 2.3.3.2.
 struct MechanismVerdict {
-    std::string plate;
+    std::string plate;  // or the model told of beside it
     std::string mechanism;
     FieldVerdict profile;
     FieldVerdict cracks;
@@ -154,32 +131,18 @@ struct MechanismVerdict {
     std::optional<double> cleavage_dip;
     std::optional<double> cleavage_spacing;
     std::optional<double> fault_dip;
-    std::optional<double> fault_thickness;
+    std::optional<double> fault_thickness;  // of its gouge
     std::string remark;
     std::string doubt;
+    static constexpr std::string_view file = "thesis/chapter_2/mechanisms.csv";
     static constexpr auto fields() {
         using V = MechanismVerdict;
         using D = Dimension;
-        return FieldTable{
-            section<&V::plate>("plate, or the model told of beside it"),
-            section<&V::mechanism>("mode of failure tried"),
-            section<&V::profile>("post-failure profile reproduced"),
-            section<&V::cracks>("tension cracks at the crest reproduced"),
-            section<&V::movements>("monitored movements of blocks at the top reproduced"),
-            number<&V::slope_angle>(D::angle, detail::slope_angles, "inclination of the face"),
-            number<&V::joint_a_dip>(D::angle, detail::slope_angles, "dip of joint set A, into the pit"),
-            number<&V::joint_a_spacing>(D::length, more_than(0), "spacing of joint set A"),
-            number<&V::joint_b_dip>(D::angle, detail::slope_angles,
-                                    "dip of joint set B, into the slope; absent: no such joints"),
-            number<&V::joint_c_dip>(D::angle, detail::slope_angles,
-                                    "dip of joint set C, into the pit; absent: no such joints"),
-            number<&V::cleavage_dip>(D::angle, detail::slope_angles,
-                                     "dip of the cleavage, into the slope; absent: none cut"),
-            number<&V::cleavage_spacing>(D::length, more_than(0), "spacing of the cleavage"),
-            number<&V::fault_dip>(D::angle, detail::slope_angles, "dip of the fault, into the slope; absent: none"),
-            number<&V::fault_thickness>(D::length, more_than(0), "thickness of its gouge"),
-            section<&V::remark>("what happened"),
-            section<&V::doubt>(detail::doubt_meaning)};
+        return joined(
+            table_columns<&V::plate, &V::mechanism, &V::profile, &V::cracks, &V::movements, &V::remark, &V::doubt>(),
+            table_columns<&V::slope_angle, &V::joint_a_dip, &V::joint_b_dip, &V::joint_c_dip, &V::cleavage_dip,
+                          &V::fault_dip>(D::angle, detail::slope_angles),
+            table_columns<&V::joint_a_spacing, &V::cleavage_spacing, &V::fault_thickness>(D::length, more_than(0)));
     }
 };
 
@@ -192,12 +155,10 @@ struct PrintedTrend {
     std::string response;
     PrintedChange change;
     std::string doubt;
+    static constexpr std::string_view file = "thesis/chapter_2/trends.csv";
     static constexpr auto fields() {
         using T = PrintedTrend;
-        return FieldTable{section<&T::conclusion>("number of the conclusion"),
-                          section<&T::parameter>("what was varied"), section<&T::response>("what was observed"),
-                          section<&T::change>("of the response as the parameter grows"),
-                          section<&T::doubt>(detail::doubt_meaning)};
+        return table_columns<&T::conclusion, &T::parameter, &T::response, &T::change, &T::doubt>();
     }
 };
 
@@ -207,31 +168,22 @@ struct GroundwaterTest {
     double density;
     double friction_least;
     double friction_most;
-    double filled_ratio;
+    double filled_ratio;  // depth of water over its greatest
     double rotation;
     std::string plate;
     std::string remark;
     double friction() const { return (friction_least + friction_most) / 2; }
+    static constexpr std::string_view file = "thesis/chapter_2/groundwater_tests.csv";
     static constexpr auto fields() {
         using T = GroundwaterTest;
         using D = Dimension;
         constexpr Interval frictions = between(0, degrees(90));
-        return FieldTable{section<&T::material>("mixture or cork"),
-                          number<&T::density>(D::density, more_than(0), "density of the material"),
-                          number<&T::friction_least>(D::angle, frictions, "friction, its least"),
-                          number<&T::friction_most>(D::angle, frictions, "friction, its greatest"),
-                          number<&T::filled_ratio>(within(0, 1), "depth of water over its greatest"),
-                          number<&T::rotation>(D::angle, right_open(0, degrees(90)), "of the model on the belt"),
-                          section<&T::plate>("plate that shows it"),
-                          section<&T::remark>("what happened")};
+        return joined(table_columns<&T::material, &T::plate, &T::remark>(),
+                      table_columns<&T::density>(D::density, more_than(0)),
+                      table_columns<&T::friction_least, &T::friction_most>(D::angle, frictions),
+                      table_columns<&T::filled_ratio>(within(0, 1)),
+                      table_columns<&T::rotation>(D::angle, right_open(0, degrees(90))));
     }
 };
-
-std::vector<BaseFrictionState> base_friction_states();
-std::vector<SlopeHeightVariation> slope_height_variations();
-std::vector<TiltingFrameAngle> tilting_frame_angles();
-std::vector<MechanismVerdict> mechanism_verdicts();
-std::vector<PrintedTrend> printed_trends();
-std::vector<GroundwaterTest> groundwater_tests();
 
 }  // namespace delabole

@@ -1,7 +1,6 @@
 // Published problems of jointed slopes: factors of safety by strength reduction beside those of other codes.
 #include "cases/program/case/case_file.hpp"
 #include "cases/program/models/relaxation/figures.hpp"
-#include "cases/program/reader/data_table.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/reproduction.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
@@ -28,17 +27,12 @@ struct PublishedFactors {
     std::optional<double> xslope;
     std::optional<double> other;
     std::string remark;
+    static constexpr std::string_view file = "published/published_factors.csv";
     static constexpr auto fields() {
         using P = PublishedFactors;
-        return FieldTable{section<&P::problem>("number in the manual"),
-                          section("case", &P::name, "name of the case file"),
-                          number<&P::closed_form>(more_than(0), "limit equilibrium or bound"),
-                          number<&P::udec>(more_than(0), "distinct elements"),
-                          number<&P::rs2>(more_than(0), "finite elements"),
-                          number<&P::rs2_improved>(more_than(0), "with joint improvement"),
-                          number<&P::xslope>(more_than(0), "finite elements"),
-                          number<&P::other>(more_than(0), "as the remark says"),
-                          section<&P::remark>("on the values")};
+        return joined(
+            table_columns<&P::problem, &P::remark>(), FieldTable{section("case", &P::name, "")},
+            table_columns<&P::closed_form, &P::udec, &P::rs2, &P::rs2_improved, &P::xslope, &P::other>(more_than(0)));
     }
 };
 
@@ -241,13 +235,9 @@ PrintedRow printed_row(const Problem& problem) {
     return {problem.file.title, printed, found_in_words(problem, problem.answer), "", verdict(problem)};
 }
 
-std::vector<PublishedFactors> published_rows() {
-    return parse_table<PublishedFactors>(thesis_published_factors, "published_factors.csv");
-}
-
 Reproduction reproduce_factors(const ResultFolder& folder, Report& report) {
     std::vector<Problem> problems;
-    for (const PublishedFactors& row : published_rows()) {
+    for (const PublishedFactors& row : rows_of<PublishedFactors>()) {
         CaseFile file = built_in_case("published", row.name);
         problems.push_back({.published = row, .file = std::move(file)});
     }

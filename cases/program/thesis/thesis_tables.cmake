@@ -9,8 +9,7 @@ foreach(table
     set(file ${PROJECT_SOURCE_DIR}/cases/${table}.csv)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} text)
-    get_filename_component(name ${table} NAME)
-    string(APPEND thesis_tables "const std::string_view thesis_${name} = R\"csv(${text})csv\";\n\n")
+    string(APPEND thesis_tables "        {\"${table}.csv\", R\"csv(${text})csv\"},\n")
 endforeach()
 set(built_in_cases "")
 foreach(case

@@ -3,23 +3,22 @@
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
+#include "cases/program/reader/data_table.hpp"
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace delabole {
 
-extern const std::string_view thesis_groundwater_tests;
-extern const std::string_view thesis_mechanisms;
-extern const std::string_view thesis_trends;
-extern const std::string_view thesis_plates;
-extern const std::string_view thesis_table_3_2;
-extern const std::string_view thesis_table_3_3;
-extern const std::string_view thesis_tilting_frame;
-extern const std::string_view thesis_report;
-extern const std::string_view thesis_runs;
-extern const std::string_view thesis_histories;
-extern const std::string_view thesis_published_factors;
+// The text of a table by its path below cases/. Throws std::out_of_range where there is none.
+std::string_view built_in_table(std::string_view file);
+
+// The rows of the table Row::file.
+template <Described Row>
+std::vector<Row> rows_of() {
+    return parse_table<Row>(built_in_table(Row::file), "cases/" + std::string(Row::file));
+}
 
 struct BuiltInCase {
     std::string_view folder;  // below cases/

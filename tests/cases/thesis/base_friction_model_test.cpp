@@ -27,7 +27,7 @@ bool touches(const RelaxationBlock& block, double level) {
 }
 
 TEST(BaseFrictionModel, EveryStateIsCutIntoItsColumns) {
-    for (const BaseFrictionState& state : base_friction_states()) {
+    for (const BaseFrictionState& state : rows_of<BaseFrictionState>()) {
         const BaseFrictionGeometry g = geometry_of(state);
         const SlopeScene made = slope_scene(model_as_cut(g));
         EXPECT_EQ(made.check, SlopeCheck::valid) << state.test;
@@ -58,7 +58,7 @@ TEST(BaseFrictionModel, EveryStateIsCutIntoItsColumns) {
 }
 
 TEST(BaseFrictionModel, StatesAreBuiltAsTold) {
-    const std::vector<BaseFrictionState> states = base_friction_states();
+    const std::vector<BaseFrictionState> states = rows_of<BaseFrictionState>();
     const auto geometry = [&](const std::string& test, ToeChange toe = ToeChange::as_built) {
         return geometry_of(state_of(states, test, toe));
     };

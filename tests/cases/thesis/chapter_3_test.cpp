@@ -56,7 +56,7 @@ TEST_F(Chapter3, TablesMeetTheText) {
     const Json& behaviour = result.json["behaviour"];
     EXPECT_EQ(behaviour["S"].get<int>() + behaviour["L.E."].get<int>() + behaviour["U"].get<int>(), 52);
     EXPECT_EQ(result.json["steep"]["failed"], result.json["steep"]["of"]);
-    const std::vector<BaseFrictionState> states = base_friction_states();
+    const std::vector<BaseFrictionState> states = rows_of<BaseFrictionState>();
     EXPECT_EQ(states.size(), 52U);
     const auto at_80 = [](const BaseFrictionState& state) { return std::abs(state.slope_angle - degrees(80)) < 1e-9; };
     EXPECT_EQ(std::ranges::count_if(states, at_80), 6);

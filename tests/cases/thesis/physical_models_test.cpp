@@ -34,22 +34,12 @@ struct BaseFrictionTest {
     static constexpr auto fields() {
         using T = BaseFrictionTest;
         using D = Dimension;
-        return FieldTable{
-            section("test", &T::test, "number of the model, side of the table"),
-            number("slope_angle", &T::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
-            number("slope_height", &T::slope_height, D::length, more_than(0), "height of the slope"),
-            number("joint_dip", &T::joint_dip, D::angle, detail::slope_angles, "dip of the joints, into the slope"),
-            number("joint_spacing", &T::joint_spacing, D::length, more_than(0), "normal distance of the joints"),
-            number("cross_joint_spacing", &T::cross_joint_spacing, D::length, more_than(0),
-                   "normal distance of the cross joints; absent: continuous columns"),
-            number("crack_time_from", &T::crack_time_from, D::time, at_least(0),
-                   "time to the critical crack path, its least; absent: none formed"),
-            number("crack_time_to", &T::crack_time_to, D::time, at_least(0), "its greatest"),
-            number("crack_angle_from", &T::crack_angle_from, D::angle, detail::slope_angles,
-                   "inclination of the critical crack path, its least; absent: none given"),
-            number("crack_angle_to", &T::crack_angle_to, D::angle, detail::slope_angles, "its greatest"),
-            section("remark", &T::remark, "printed remark"),
-            section("doubt", &T::doubt, detail::doubt_meaning)};
+        return joined(
+            table_columns<&T::test, &T::remark, &T::doubt>(),
+            table_columns<&T::slope_angle, &T::joint_dip, &T::crack_angle_from, &T::crack_angle_to>(
+                D::angle, detail::slope_angles),
+            table_columns<&T::slope_height, &T::joint_spacing, &T::cross_joint_spacing>(D::length, more_than(0)),
+            table_columns<&T::crack_time_from, &T::crack_time_to>(D::time, at_least(0)));
     }
 };
 
@@ -62,12 +52,9 @@ struct ModelFeature {
     std::string doubt;
     static constexpr auto fields() {
         using F = ModelFeature;
-        return FieldTable{section("feature", &F::feature, "joint set, cleavage, fault or slope"),
-                          section("dips_into", &F::dips_into, "pit, slope or not_said"),
-                          number("dip", &F::dip, Dimension::angle, within(0, degrees(90)), "dip"),
-                          number("spacing", &F::spacing, Dimension::length, more_than(0),
-                                 "spacing in the model; of a fault: its thickness"),
-                          section("doubt", &F::doubt, detail::doubt_meaning)};
+        return joined(table_columns<&F::feature, &F::dips_into, &F::doubt>(),
+                      table_columns<&F::dip>(Dimension::angle, within(0, degrees(90))),
+                      table_columns<&F::spacing>(Dimension::length, more_than(0)));
     }
 };
 
@@ -101,13 +88,13 @@ std::map<std::string, BaseFrictionTest> tests_by_name() {
 
 TEST(PhysicalModels, EveryTableIsRead) {
     EXPECT_EQ(base_friction_tests().size(), 45U);
-    EXPECT_GT(base_friction_states().size(), 50U);  // "over 50 base friction tests were run" (3.1)
-    EXPECT_EQ(slope_height_variations().size(), 5U);
-    EXPECT_FALSE(tilting_frame_angles().empty());
+    EXPECT_GT(rows_of<BaseFrictionState>().size(), 50U);  // "over 50 base friction tests were run" (3.1)
+    EXPECT_EQ(rows_of<SlopeHeightVariation>().size(), 5U);
+    EXPECT_FALSE(rows_of<TiltingFrameAngle>().empty());
     EXPECT_FALSE(model_features().empty());
-    EXPECT_EQ(printed_trends().size(), 8U);
-    EXPECT_EQ(groundwater_tests().size(), 10U);
-    EXPECT_EQ(mechanism_verdicts().size(), 10U);
+    EXPECT_EQ(rows_of<PrintedTrend>().size(), 8U);
+    EXPECT_EQ(rows_of<GroundwaterTest>().size(), 10U);
+    EXPECT_EQ(rows_of<MechanismVerdict>().size(), 10U);
 }
 
 // Section 3.2.1 lists the values that were varied.
@@ -115,7 +102,7 @@ TEST(PhysicalModels, OnlyTheParametersOfTheText) {
     const auto is_one_of = [](double value, double unit, std::initializer_list<double> values) {
         return std::ranges::any_of(values, [&](double one) { return std::abs(value / unit - one) < rounding; });
     };
-    for (const BaseFrictionState& state : base_friction_states()) {
+    for (const BaseFrictionState& state : rows_of<BaseFrictionState>()) {
         EXPECT_TRUE(is_one_of(state.slope_angle, degrees(1), {60, 65, 70, 80})) << state.test;
         EXPECT_TRUE(is_one_of(state.joint_dip, degrees(1), {70, 80})) << state.test;
         EXPECT_TRUE(is_one_of(state.height_over_spacing, 1, {12, 15, 18, 21, 24})) << state.test;
@@ -127,7 +114,7 @@ TEST(PhysicalModels, OnlyTheParametersOfTheText) {
 TEST(PhysicalModels, BothTablesHaveTheSameSlopes) {
     const std::map<std::string, BaseFrictionTest> tests = tests_by_name();
     std::set<std::string> seen;
-    for (const BaseFrictionState& state : base_friction_states()) {
+    for (const BaseFrictionState& state : rows_of<BaseFrictionState>()) {
         SCOPED_TRACE(state.test);
         seen.insert(state.test);
         ASSERT_TRUE(tests.contains(state.test));
@@ -152,7 +139,7 @@ TEST(PhysicalModels, BothTablesHaveTheSameSlopes) {
 // Where no toe was changed the times of both tables are those of one clock; every difference is marked as doubtful.
 TEST(PhysicalModels, TimesThatDifferAreMarked) {
     const std::map<std::string, BaseFrictionTest> tests = tests_by_name();
-    for (const BaseFrictionState& state : base_friction_states()) {
+    for (const BaseFrictionState& state : rows_of<BaseFrictionState>()) {
         const BaseFrictionTest& test = tests.at(state.test);
         if (!state.crack_time_from) {
             continue;
@@ -164,7 +151,7 @@ TEST(PhysicalModels, TimesThatDifferAreMarked) {
         EXPECT_TRUE(!test.crack_time_to || *state.crack_time_from <= *test.crack_time_to || !state.doubt.empty())
             << state.test;
     }
-    for (const SlopeHeightVariation& row : slope_height_variations()) {
+    for (const SlopeHeightVariation& row : rows_of<SlopeHeightVariation>()) {
         const std::string model = std::to_string(static_cast<int>(row.model));
         const BaseFrictionTest& right = tests.at(model + "(R)");
         EXPECT_EQ(right.slope_height, row.slope_height);
@@ -178,7 +165,7 @@ TEST(PhysicalModels, TimesThatDifferAreMarked) {
 }
 
 TEST(PhysicalModels, StableStatesHaveNoCrackPath) {
-    for (const BaseFrictionState& state : base_friction_states()) {
+    for (const BaseFrictionState& state : rows_of<BaseFrictionState>()) {
         if (state.behaviour == SlopeBehaviour::stable) {
             EXPECT_FALSE(state.crack_time_from || state.crack_angle_from) << state.test;
         }
@@ -206,7 +193,7 @@ TEST(PhysicalModels, SteeperSlopesAreNeverMoreStable) {
     };
     for (Sequence sequence : sequences) {
         std::vector<BaseFrictionState> states;
-        for (const BaseFrictionState& state : base_friction_states()) {
+        for (const BaseFrictionState& state : rows_of<BaseFrictionState>()) {
             if (sequence.tests.contains(state.test)) {
                 states.push_back(state);
             }
@@ -220,7 +207,7 @@ TEST(PhysicalModels, SteeperSlopesAreNeverMoreStable) {
         EXPECT_TRUE(std::ranges::is_sorted(states, {}, &BaseFrictionState::behaviour)) << states.front().test;
         EXPECT_LT(states.front().behaviour, states.back().behaviour) << states.front().test;
     }
-    for (const BaseFrictionState& state : base_friction_states()) {
+    for (const BaseFrictionState& state : rows_of<BaseFrictionState>()) {
         if (state.slope_angle > degrees(69.5)) {
             EXPECT_EQ(state.behaviour, SlopeBehaviour::unstable) << state.test;
         }
@@ -229,7 +216,7 @@ TEST(PhysicalModels, SteeperSlopesAreNeverMoreStable) {
 
 // "hardly exceeded 41", "never less than 20" (3.4.1).
 TEST(PhysicalModels, CrackPathsLieInThePrintedRange) {
-    for (const BaseFrictionState& state : base_friction_states()) {
+    for (const BaseFrictionState& state : rows_of<BaseFrictionState>()) {
         if (state.crack_angle_from) {
             EXPECT_GE(*state.crack_angle_from, degrees(20)) << state.test;
             EXPECT_LE(*state.crack_angle_to, degrees(41) + rounding) << state.test;
@@ -239,7 +226,7 @@ TEST(PhysicalModels, CrackPathsLieInThePrintedRange) {
 
 // A model free of boundary effects has a prime in its name, a cross-jointed one two.
 TEST(PhysicalModels, NamesSayWhatTheModelsAre) {
-    for (const BaseFrictionState& state : base_friction_states()) {
+    for (const BaseFrictionState& state : rows_of<BaseFrictionState>()) {
         const bool cross_jointed = state.test.find("''") != std::string::npos;
         EXPECT_EQ(state.columns == ColumnKind::cross_jointed, cross_jointed) << state.test;
         if (!cross_jointed) {
@@ -257,7 +244,7 @@ TEST(PhysicalModels, DelaboleModelsUseTheListedFeatures) {
             return feature.feature == name && ((dip && feature.dip == dip) || (spacing && feature.spacing == spacing));
         });
     };
-    for (const MechanismVerdict& verdict : mechanism_verdicts()) {
+    for (const MechanismVerdict& verdict : rows_of<MechanismVerdict>()) {
         SCOPED_TRACE(verdict.plate);
         EXPECT_TRUE(lists("joint_a", verdict.joint_a_dip, {}));
         EXPECT_TRUE(!verdict.joint_a_spacing || lists("joint_a", {}, verdict.joint_a_spacing));
@@ -279,7 +266,7 @@ TEST(PhysicalModels, DelaboleModelsUseTheListedFeatures) {
 TEST(PhysicalModels, GroundwaterTests) {
     double mixture = 0;
     double cork = 0;
-    for (const GroundwaterTest& test : groundwater_tests()) {
+    for (const GroundwaterTest& test : rows_of<GroundwaterTest>()) {
         (test.material == "cork" ? cork : mixture) = test.density;
         EXPECT_LT(test.friction_least, test.friction_most);
         const double expected = test.filled_ratio == 0 ? 0 : test.filled_ratio == 0.5 ? 12 : 47.5;

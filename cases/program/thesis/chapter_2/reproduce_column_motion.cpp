@@ -144,7 +144,7 @@ void compare_rotations(Reproduction& result, const std::string& what, const std:
 }  // namespace
 
 Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report) {
-    const std::vector<GroundwaterTest> tests = groundwater_tests();
+    const std::vector<GroundwaterTest> tests = rows_of<GroundwaterTest>();
     std::vector<ColumnMotion> motions(tests.size());
     run_part(folder, {"columns", 0, 1}, tests.size(), [&](std::size_t index) { motions[index] = move(tests[index]); });
     constexpr double plain = degrees(43);

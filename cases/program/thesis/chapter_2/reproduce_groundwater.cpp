@@ -36,7 +36,7 @@ double driving_force(const GroundwaterTest& test) {
 
 std::vector<GroundwaterTest> tests_with(std::string_view material, double rotation) {
     std::vector<GroundwaterTest> found;
-    for (const GroundwaterTest& test : groundwater_tests()) {
+    for (const GroundwaterTest& test : rows_of<GroundwaterTest>()) {
         if (test.material == material && std::abs(test.rotation - rotation) < degrees(0.1)) {
             found.push_back(test);
         }
@@ -196,7 +196,7 @@ void add_observation_4(Reproduction& result) {
 }  // namespace
 
 Reproduction reproduce_groundwater(const ResultFolder& folder, Report& report) {
-    const std::vector<GroundwaterTest> tests = groundwater_tests();
+    const std::vector<GroundwaterTest> tests = rows_of<GroundwaterTest>();
     const ColumnTilt full = analyse(TiltedColumn<>{joint_a_dip, degrees(47.5), 1.0});
     Reproduction result;
     add_observation_1(tests_with("mixture", 0).front(), tests_with("cork", 0).front(), result);

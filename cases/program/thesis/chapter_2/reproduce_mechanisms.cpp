@@ -45,7 +45,7 @@ void add_toppling(const MechanismVerdict& verdict, Reproduction& result) {
 }  // namespace
 
 Reproduction reproduce_mechanisms(const ResultFolder&, Report& report) {
-    const std::vector<MechanismVerdict> verdicts = mechanism_verdicts();
+    const std::vector<MechanismVerdict> verdicts = rows_of<MechanismVerdict>();
     Reproduction result;
     for (const MechanismVerdict& verdict : verdicts) {
         if (verdict.mechanism == "simple_sliding") {

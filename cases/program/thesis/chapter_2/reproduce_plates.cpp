@@ -209,7 +209,7 @@ void draw(const std::vector<SlopeRun>& runs, const ResultFolder& folder, Report&
 }  // namespace
 
 Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
-    const std::vector<MechanismVerdict> verdicts = mechanism_verdicts();
+    const std::vector<MechanismVerdict> verdicts = rows_of<MechanismVerdict>();
     std::vector<SlopeRun> runs(plates.size());
     run_part(folder, {"slopes", 0, 0.6}, plates.size(),
              [&](std::size_t index) { runs[index] = run_slope(slope_model(plates[index].file)); });

@@ -304,7 +304,7 @@ RankCorrelation rank_correlation(const std::vector<double>& parameter, const std
 
 Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
     std::vector<Variation> series = all_series();
-    const std::vector<PrintedTrend> trends = printed_trends();
+    const std::vector<PrintedTrend> trends = rows_of<PrintedTrend>();
     std::vector<std::optional<Response>> made(series.size() * points * members);
     run_part(folder, {"slopes", 0, 1}, made.size(), [&](std::size_t task) {
         const std::size_t trial = task / members;

@@ -146,7 +146,7 @@ void add_crack_angles(const States& states, Reproduction& result) {
 template <class Value>
 Line height_line(const std::string& legend, Colour colour, const Value& value) {
     Line line{.legend = legend, .colour = colour};
-    for (const SlopeHeightVariation& row : slope_height_variations()) {
+    for (const SlopeHeightVariation& row : rows_of<SlopeHeightVariation>()) {
         if (const std::optional<double> at = value(row)) {
             line.points.emplace_back(row.slope_height / inch, *at);
         }
@@ -263,7 +263,7 @@ Figure crack_figure(const BaseFrictionState& state, double printed, const Relaxa
 Reproduction reproduce_base_friction_run(const ResultFolder& folder, Report& report) {
     constexpr double tolerance = degrees(5);
     Reproduction result = reproduce_cases("relaxation", {"base_friction_slope"}, "Table 3.2, 15(L)", folder, report);
-    const States states = base_friction_states();
+    const States states = rows_of<BaseFrictionState>();
     std::vector<RelaxationRun> made(models_run.size());
     std::vector<BaseFrictionState> state;
     for (const std::string_view test : models_run) {
@@ -317,7 +317,7 @@ Reproduction reproduce_base_friction_run(const ResultFolder& folder, Report& rep
 }
 
 Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
-    const States states = base_friction_states();
+    const States states = rows_of<BaseFrictionState>();
     Reproduction result;
     result.rows.push_back({"base friction tests, states of models", "over 50", std::to_string(states.size()), "",
                            statement(states.size() > 50)});
@@ -374,7 +374,7 @@ Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
 
 Reproduction reproduce_fig_3_2(const ResultFolder& folder, Report& report) {
     using Row = SlopeHeightVariation;
-    const std::vector<Row> rows = slope_height_variations();
+    const std::vector<Row> rows = rows_of<SlopeHeightVariation>();
     long right_earlier = 0;
     long left_steeper = 0;
     long pairs = 0;

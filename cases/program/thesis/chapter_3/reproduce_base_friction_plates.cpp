@@ -1,5 +1,4 @@
 // Plates 3.I to 3.XIII of the thesis as drawings: the models of Table 3.2 as they were cut, with their crack paths.
-#include "cases/program/reader/data_table.hpp"
 #include "cases/program/thesis/chapter_3/base_friction_model.hpp"
 #include "cases/program/thesis/chapter_3/chapter_3.hpp"
 #include "cases/program/thesis/imperial.hpp"
@@ -20,10 +19,8 @@ namespace {
 struct PlateModel {
     std::string plate;
     std::string test;
-    static constexpr auto fields() {
-        return FieldTable{section<&PlateModel::plate>("plate of the thesis"),
-                          section<&PlateModel::test>("name of the model in Table 3.2")};
-    }
+    static constexpr std::string_view file = "thesis/chapter_3/plates.csv";
+    static constexpr auto fields() { return table_columns<&PlateModel::plate, &PlateModel::test>(); }
 };
 
 // A model in inches, its blocks and the printed crack paths up to the ground.
@@ -144,8 +141,8 @@ Figure plate_figure(const std::string& plate, const std::vector<const BaseFricti
 }  // namespace
 
 Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& report) {
-    const auto rows = parse_table<PlateModel>(thesis_plates, "cases/thesis/chapter_3/plates.csv");
-    const std::vector<BaseFrictionState> states = base_friction_states();
+    const std::vector<PlateModel> rows = rows_of<PlateModel>();
+    const std::vector<BaseFrictionState> states = rows_of<BaseFrictionState>();
     Reproduction result;
     report.blocks.emplace_back(Heading{"Plates 3.I to 3.XIII, drawn"});
     report.blocks.emplace_back(Paragraph{

@@ -41,7 +41,7 @@ std::optional<RowAnswer> row_answer(const std::vector<double>& heights, double i
 }
 
 double angle_of(std::string_view key) {
-    const std::vector<TiltingFrameAngle> angles = tilting_frame_angles();
+    const std::vector<TiltingFrameAngle> angles = rows_of<TiltingFrameAngle>();
     const auto found = std::ranges::find(angles, key, &TiltingFrameAngle::key);
     if (found == angles.end()) {
         throw std::logic_error("tilting_frame.csv has no " + std::string(key));

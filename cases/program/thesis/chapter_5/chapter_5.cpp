@@ -1,6 +1,5 @@
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
 
-#include "cases/program/reader/data_table.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
@@ -170,23 +169,16 @@ struct ReportRow {
     std::string name;
     std::string title;
     std::string text;
+    static constexpr std::string_view file = "thesis/chapter_5/report.csv";
     static constexpr auto fields() {
         using R = ReportRow;
-        return FieldTable{section<&R::item>("name of the item"),
-                          section<&R::part>("what the row adds to it"),
-                          section<&R::runs>("group of runs"),
-                          section<&R::run>("names of runs"),
-                          section<&R::with>("base, gravity or clean"),
-                          section<&R::cycles>("cycles that are drawn"),
-                          section<&R::name>("of a figure, a column or a computation"),
-                          section<&R::title>("of a figure or a table"),
-                          section<&R::text>("in words")};
+        return table_columns<&R::item, &R::part, &R::runs, &R::run, &R::with, &R::cycles, &R::name, &R::title,
+                             &R::text>();
     }
 };
 
 const std::vector<ReportRow>& report_rows() {
-    static const std::vector<ReportRow> rows =
-        parse_table<ReportRow>(thesis_report, "cases/thesis/chapter_5/report.csv");
+    static const std::vector<ReportRow> rows = rows_of<ReportRow>();
     return rows;
 }
 

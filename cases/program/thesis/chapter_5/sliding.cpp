@@ -1,6 +1,5 @@
 #include "cases/program/thesis/chapter_5/sliding.hpp"
 
-#include "cases/program/reader/data_table.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "parameters/fields.hpp"
 
@@ -21,14 +20,11 @@ struct PrintedSliding {
     std::string block_2;
     std::string block_3;
     std::string block_4;
+    static constexpr std::string_view file = "thesis/chapter_5/histories.csv";
     static constexpr auto fields() {
-        return FieldTable{section<&PrintedSliding::table>("table of the thesis"),
-                          number<&PrintedSliding::cycle>(at_least(1), "print edit"),
-                          number<&PrintedSliding::last_cycle>(at_least(1), "last one of which the same is said"),
-                          section<&PrintedSliding::block_1>("F, B, - or ?"),
-                          section<&PrintedSliding::block_2>("F, B, - or ?"),
-                          section<&PrintedSliding::block_3>("F, B, - or ?"),
-                          section<&PrintedSliding::block_4>("F, B, - or ?")};
+        return joined(table_columns<&PrintedSliding::table, &PrintedSliding::block_1, &PrintedSliding::block_2,
+                                    &PrintedSliding::block_3, &PrintedSliding::block_4>(),
+                      table_columns<&PrintedSliding::cycle, &PrintedSliding::last_cycle>(at_least(1)));
     }
 };
 
@@ -106,8 +102,7 @@ bool forward_prevails(const SlidingTotals& totals) {
 }
 
 SlidingHistory printed_history(const Chapter5Run& run) {
-    static const std::vector<PrintedSliding> rows =
-        parse_table<PrintedSliding>(thesis_histories, "cases/thesis/chapter_5/histories.csv");
+    static const std::vector<PrintedSliding> rows = rows_of<PrintedSliding>();
     SlidingHistory history = without_sliding(run);
     for (const PrintedSliding& row : rows) {
         if (row.table == run.name) {

@@ -1,6 +1,5 @@
 #include "cases/program/thesis/hocking/chapter_5.hpp"
 
-#include "cases/program/reader/data_table.hpp"
 #include "cases/program/thesis/appendix_a.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "parameters/fields.hpp"
@@ -120,8 +119,8 @@ struct PrintedRun {
     std::string group;
     std::string name;
     std::optional<double> blocks;
-    std::optional<double> slenderness;
-    std::string heights;  // in
+    std::optional<double> slenderness;  // height over width
+    std::string heights;                // in
     double inclination_degrees;
     double joints_degrees;
     double bases_degrees;
@@ -130,42 +129,28 @@ struct PrintedRun {
     std::optional<double> damping;
     double cycles;
     std::optional<double> tilted_to_degrees;
-    std::optional<double> tilt_begins;
-    std::optional<double> tilt_every;
+    std::optional<double> tilt_begins;  // cycle
+    std::optional<double> tilt_every;   // cycles between increments of 0.001 deg
     std::optional<double> first_print;
     std::optional<double> stop_rotation_degrees;
     HockingOutcome outcome;
-    std::optional<double> settled_x;
+    std::optional<double> settled_x;  // cycle at which x came to rest
     std::optional<double> settled_y;
     std::optional<double> printed_cycle;
     std::string behaviour;
     std::string totals;
+    static constexpr std::string_view file = "thesis/chapter_5/runs.csv";
     static constexpr auto fields() {
         using R = PrintedRun;
         constexpr Interval angles = within(0, 90);
-        return FieldTable{section<&R::group>("which of the thesis's experiments"),
-                          section<&R::name>("name of the run"),
-                          number<&R::blocks>(at_least(1), "number of equal blocks"),
-                          number<&R::slenderness>(more_than(0), "height over width"),
-                          section<&R::heights>("heights of unequal columns, in"),
-                          number<&R::inclination_degrees>(angles, "inclination of the base, deg"),
-                          number<&R::joints_degrees>(angles, "friction between blocks, deg"),
-                          number<&R::bases_degrees>(angles, "friction of bases, deg"),
-                          number<&R::stiffness>(more_than(0), "stiffness of a contact, N/m"),
-                          number<&R::time_step>(Dimension::time, more_than(0), "time step"),
-                          number<&R::damping>(at_least(0), "share of critical damping"),
-                          number<&R::cycles>(at_least(1), "cycles to run"),
-                          number<&R::tilted_to_degrees>(angles, "inclination at the end, deg"),
-                          number<&R::tilt_begins>(at_least(0), "cycle at which tilting begins"),
-                          number<&R::tilt_every>(at_least(1), "cycles between increments of 0.001 deg"),
-                          number<&R::first_print>(at_least(1), "print edit from which sliding is counted"),
-                          number<&R::stop_rotation_degrees>(more_than(0), "rotation that ends it, deg"),
-                          section<&R::outcome>("printed outcome"),
-                          number<&R::settled_x>(at_least(0), "printed cycle at which x came to rest"),
-                          number<&R::settled_y>(at_least(0), "printed cycle at which y came to rest"),
-                          number<&R::printed_cycle>(at_least(0), "printed cycle of the group"),
-                          section<&R::behaviour>("printed of each block"),
-                          section<&R::totals>("printed totals of sliding of each block")};
+        return joined(
+            table_columns<&R::group, &R::name, &R::heights, &R::outcome, &R::behaviour, &R::totals>(),
+            table_columns<&R::blocks, &R::cycles, &R::tilt_every, &R::first_print>(at_least(1)),
+            table_columns<&R::slenderness, &R::stiffness, &R::stop_rotation_degrees>(more_than(0)),
+            table_columns<&R::inclination_degrees, &R::joints_degrees, &R::bases_degrees, &R::tilted_to_degrees>(
+                angles),
+            table_columns<&R::time_step>(Dimension::time, more_than(0)),
+            table_columns<&R::damping, &R::tilt_begins, &R::settled_x, &R::settled_y, &R::printed_cycle>(at_least(0)));
     }
 };
 
@@ -259,7 +244,7 @@ Chapter5Run run_of(const PrintedRun& row, TiltedPart tilted) {
 }  // namespace
 
 std::vector<Chapter5Run> chapter_5_runs(std::string_view group, TiltedPart tilted) {
-    static const std::vector<PrintedRun> rows = parse_table<PrintedRun>(thesis_runs, "cases/thesis/chapter_5/runs.csv");
+    static const std::vector<PrintedRun> rows = rows_of<PrintedRun>();
     std::vector<Chapter5Run> runs;
     for (const PrintedRun& row : rows) {
         if (row.group == group) {
