@@ -2,8 +2,6 @@
 
 #include "fitting/work/words.hpp"
 
-#include <cmath>
-
 namespace delabole {
 
 SensitivityStep sensitivity_step(const std::string& input, const InputDeviations& known, Dimension dimension,

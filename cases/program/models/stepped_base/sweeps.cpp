@@ -276,29 +276,10 @@ std::vector<SensitivityBar> sensitivity_bars(const SteppedBase<>& problem, doubl
             height = std::max(height, column.height);
         }
     }
-    const double overburden = problem.scene.rock.unit_weight * height;
-    SteppedBase<> varied = problem;
-    std::vector<SensitivityBar> bars;
-    for_each_named_number(varied, [&](const std::string& path, const FieldInfo& info, double& value) {
-        const double given = value;
-        const SensitivityStep step = sensitivity_step(path, known, info.dimension, given, height, overburden);
-        const auto at = [&](double changed) -> std::optional<double> {
-            value = changed;
-            const std::optional<double> factor = info.range.contains(changed) ? safety_of(varied) : std::nullopt;
-            value = given;
-            return factor;
-        };
-        double effect = 0;
-        if (const auto raised = at(given + step.size)) {
-            effect = *raised - factor_of_safety;
-        } else if (const auto lowered = at(given - step.size)) {
-            effect = factor_of_safety - *lowered;
-        }
-        if (effect != 0) {
-            bars.push_back({path, step.words, effect, step.by_rule && !known.empty()});
-        }
-    });
-    return bars;
+    return recalculated_bars(problem, factor_of_safety, height, problem.scene.rock.unit_weight * height, known,
+                             [](const SteppedBase<>& varied, bool in_range) {
+                                 return (in_range ? safety_of(varied) : std::nullopt).value_or(std::nan(""));
+                             });
 }
 
 }  // namespace delabole

@@ -88,31 +88,6 @@ std::optional<WaterDepthCurves> filled_ratio_curve(const WedgeFailure& problem) 
     return curves;
 }
 
-// Change of the factor of safety if one input is increased by the step of reports/sensitivity_step.hpp, or decreased by
-// it if no wedge exists at the increased value. Inputs without effect are left out.
-std::vector<SensitivityBar> sensitivity_bars(const WedgeFailure& problem, const InputDeviations& known) {
-    const double height = problem.slope.height;
-    const double overburden = problem.rock.unit_weight * height;
-    const double given = factor_of(problem);
-    std::vector<SensitivityBar> bars;
-    for_each_named_number(problem, [&](const std::string& path, const FieldInfo& info, double value) {
-        const SensitivityStep step = sensitivity_step(path, known, info.dimension, value, height, overburden);
-        WedgeFailure varied = problem;
-        const auto changed_by = [&](double change) {
-            for_each_named_number(varied, [&](const std::string& other, const FieldInfo&, double& number) {
-                number = other == path ? value + change : number;
-            });
-            return factor_of(varied) - given;
-        };
-        const double upwards = changed_by(step.size);
-        const double effect = std::isfinite(upwards) ? upwards : -changed_by(-step.size);
-        if (effect != 0) {
-            bars.push_back({path, step.words, effect, step.by_rule && !known.empty()});
-        }
-    });
-    return bars;
-}
-
 void append_drawings(const WedgeFailure& problem, const WedgeFailureResult& result, const std::string& prefix,
                      const InputDeviations& known, const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(folder.draw(
@@ -131,8 +106,12 @@ void append_drawings(const WedgeFailure& problem, const WedgeFailureResult& resu
             factor_of_safety_against_water(*curve), prefix + "water",
             "Factor of safety against the greatest water pressure over that of fissures filled to the ground."));
     }
+    const double height = problem.slope.height;
     report.blocks.emplace_back(folder.draw(
-        tornado_figure("Change of the factor of safety", sensitivity_bars(problem, known)), prefix + "sensitivity",
+        tornado_figure("Change of the factor of safety",
+                       recalculated_bars(problem, factor_of(problem), height, problem.rock.unit_weight * height, known,
+                                         [](const WedgeFailure& varied, bool) { return factor_of(varied); })),
+        prefix + "sensitivity",
         "Each input changed by itself, by the step that stands beside it." + deviations_in_words(known)));
 }
 
