@@ -425,13 +425,14 @@ double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const 
     std::vector<Taker> takers;
     double pressed = 0;
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const auto [contact, law, memory, at] = contact_now(list, index, motion);
+        const RelaxationContact contact = list.contact[index];
         constexpr double straight = 0.9999;  // cosine; faces that lie on each other lean by less
         const double along = bodies.along[contact.edge].dot(face.along);
         if (!(contact.block == face.block && contact.other == face.other && along > straight) &&
             !(contact.block == face.other && contact.other == face.block && along < -straight)) {
             continue;
         }
+        const auto [same, law, memory, at] = contact_now(list, index, motion);
         takers.push_back(
             {index, law.normal_stiffness * std::max(-at.gap, 0.0), contact_weight(law, contact, at, false)});
         pressed += takers.back().weight * takers.back().pressing;
