@@ -245,7 +245,7 @@ cut = [
 [[scene.fixed]]
 vertex = [{ x = "-3 m", y = "-2 m" }, { x = "5 m", y = "-2 m" }, { x = "5 m", y = "-0.01 m" }, { x = "-3 m", y = "-0.01 m" }]
 [[scene.fixed]]
-vertex = [{ x = "-3 m", y = "0.01 m" }, { x = "-1.5 m", y = "0.01 m" }, { x = "-1.5 m", y = "2 m" }, { x = "-3 m", y = "2 m" }]
+vertex = [{ x = "-3 m", y = "0.01 m" }, { x = "-0.5 m", y = "0.01 m" }, { x = "-0.5 m", y = "2 m" }, { x = "-3 m", y = "2 m" }]
 [[scene.stage]]
 time = "0.05 s"
 vertex = [{ x = )" + at(0.75) + R"(, y = "0.01 m" }, { x = )" +
