@@ -81,7 +81,7 @@ py::dict run_case(const CaseObject& object, const py::object& progress, unsigned
     Json json = json_of(file, analysis);
     if (support) {
         Report unused;
-        json["support_design"] = document_support(*support, ResultFolder(), unused);
+        json["support_design"] = document_support(*support, {ResultFolder(), unused});
         add_to_head(*support, head);
     }
     result["sentences"] = head.sentences;

@@ -150,11 +150,11 @@ void add_studies(const FitProblem& problem, const FitResult& result, BackgroundW
     const auto information = information_of(problem, result, {}, watch.stop_flag());
     if (!information.empty()) {
         json["value_of_information"] =
-            document_information(problem.candidates, information, ResultFolder(), unused).json;
+            document_information(problem.candidates, information, {ResultFolder(), unused}).json;
     }
     const auto findings = judge_conclusions(problem, result, telling(watch), watch.stop_flag());
     if (!findings.empty()) {
-        json["conclusions"] = document_conclusions(problem.conclusions, findings, ResultFolder(), unused).json;
+        json["conclusions"] = document_conclusions(problem.conclusions, findings, {ResultFolder(), unused}).json;
     }
 }
 
@@ -214,9 +214,9 @@ py::dict study_of(CaseFile file, const py::object& progress, int threads, std::o
     Report unused;
     Json json;
     json["status"] = word_of(result.status);
-    json.update(document_sensitivity(file, problem, result, ResultFolder(), unused).json);
+    json.update(document_sensitivity(file, problem, result, {ResultFolder(), unused}).json);
     if (support) {
-        json["support_design"] = document_support(*support, ResultFolder(), unused);
+        json["support_design"] = document_support(*support, {ResultFolder(), unused});
     }
     py::dict dict;
     dict["status"] = word_of(result.status);

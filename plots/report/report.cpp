@@ -44,7 +44,7 @@ class Page {
         html_ += element("title", report.title);
         html_ += "<style>\n";
         html_ += report_style;
-        if (is_animated(report)) {
+        if (holds_animation(report.blocks)) {
             html_ += animation_style;
         }
         html_ += "</style>\n</head>\n<body>\n<main>\n<header>\n";
@@ -94,7 +94,7 @@ class Page {
 
     void end(const Report& report) {
         html_ += "</main>\n";
-        if (is_animated(report)) {
+        if (holds_animation(report.blocks)) {
             html_ += "<script>\n";
             html_ += animation_script;
             html_ += "</script>\n";
@@ -244,8 +244,6 @@ class Page {
                    (folded != nullptr && holds_animation(folded->blocks));
         });
     }
-
-    static bool is_animated(const Report& report) { return holds_animation(report.blocks); }
 
     static std::vector<std::size_t> columns_with_content(const Table& table) {
         std::size_t widest = table.columns.size();

@@ -103,6 +103,8 @@ struct Report {
     std::string title = {};
     std::string subtitle = {};
     std::vector<ReportBlock> blocks = {};
+
+    void add(ReportBlock block) { blocks.push_back(std::move(block)); }
 };
 
 // The page. Figures and animations are numbered in order; their SVG files are read here. Consecutive figures stand side

@@ -20,7 +20,7 @@ int main(int count, char** arguments) {
         good = good && drawn.back().status == delabole::FigureStatus::ok;
     }
     delabole::Report report = delabole::samples::report(drawn);
-    report.blocks.emplace_back(delabole::samples::animation());
+    report.add(delabole::samples::animation());
     delabole::write_report(report, folder / "report.html");
     return good ? 0 : 1;
 }

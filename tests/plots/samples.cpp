@@ -355,25 +355,23 @@ Report report(const std::vector<FigureFiles>& drawn) {
                         "seepage at 425 ft and 475 ft"}}},
         Heading{.text = "Figures"}};
     for (std::size_t index = 1; index + 3 < drawn.size(); ++index) {
-        report.blocks.emplace_back(
-            FigureInReport{drawn[index], "Sample figure " + drawn[index].svg.stem().string() + "."});
+        report.add(FigureInReport{drawn[index], "Sample figure " + drawn[index].svg.stem().string() + "."});
     }
     FigureRow row;
     for (std::size_t index = drawn.size() - 3; index < drawn.size(); ++index) {
         row.figures.push_back(FigureInReport{drawn[index], "Small figure."});
     }
-    report.blocks.emplace_back(Heading{.text = "Small multiples"});
-    report.blocks.emplace_back(std::move(row));
+    report.add(Heading{.text = "Small multiples"});
+    report.add(std::move(row));
     Table blocks{.caption = "A table of several pages", .columns = {{"block", true}, {"movement"}}, .rows = {}};
     for (int block = 1; block <= 120; ++block) {
         blocks.rows.push_back({std::to_string(block), "slides forward"});
     }
-    report.blocks.emplace_back(blocks);
-    report.blocks.emplace_back(
-        Folded{"Provenance",
-               {Provenance{{{"case", "cases/delabole_1967/delabole_1967.toml"},
-                            {"hash", "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"},
-                            {"seed", "1"}}}}});
+    report.add(blocks);
+    report.add(Folded{"Provenance",
+                      {Provenance{{{"case", "cases/delabole_1967/delabole_1967.toml"},
+                                   {"hash", "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"},
+                                   {"seed", "1"}}}}});
     return report;
 }
 

@@ -48,7 +48,7 @@ TEST_F(ShownUnits, AxesAndAllThatIsDrawnOverThemAreConverted) {
 TEST_F(ShownUnits, ColumnsOfTablesAreConvertedWordsStay) {
     show_units_in(UnitSystem::imperial);
     Report report;
-    report.blocks.emplace_back(Folded{
+    report.add(Folded{
         "all", {Table{"", {{"height, m"}, {"area, m²"}, {"name"}}, {{"3.048", "infinite", "3.048"}, {"30.48", "1"}}}}});
     const Report shown = in_shown_units(report);
     const auto& table = std::get<Table>(std::get<Folded>(shown.blocks[0]).blocks[0]);

@@ -84,16 +84,16 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     const std::string status = status_of_fit(result);
     const std::string reserved = reservation_of_fit(status);
     add_reservation(reserved, status == "interrupted", report);
-    StudyDocuments documents = document_fit(file, problem, result, folder, report);
+    StudyDocuments documents = document_fit(file, problem, result, {folder, report});
     say_left_out(left_out, "; --with-costly fits such mechanisms too, in minutes.", documents.json, documents.screen,
                  report);
     if (!information.empty()) {
-        const StudyDocuments next = document_information(problem.candidates, information, folder, report);
+        const StudyDocuments next = document_information(problem.candidates, information, {folder, report});
         documents.json["value_of_information"] = next.json;
         documents.screen += next.screen;
     }
     if (!findings.empty()) {
-        const StudyDocuments held = document_conclusions(problem.conclusions, findings, folder, report);
+        const StudyDocuments held = document_conclusions(problem.conclusions, findings, {folder, report});
         documents.json["conclusions"] = held.json;
         documents.screen += held.screen;
     }
@@ -108,7 +108,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     kept.write_runs(folder);
     documents.json["provenance"] = source;
     append_inputs(file, report);
-    report.blocks.emplace_back(evidence_table(problem));
+    report.add(evidence_table(problem));
     const ExitCode code = write_study({file, documents.json, '\n' + documents.screen + kept.summary(), reserved},
                                       folder, options, report);
     if (status == "interrupted") {

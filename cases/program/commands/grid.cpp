@@ -173,13 +173,13 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
     });
     Report report{title_of(file, options), file.description, {}};
     Report own;
-    document_sweep(run, folder, own);
+    document_sweep(run, {folder, own});
     HeadCard head = grid_answer(run);
     if (support) {
         add_to_head(*support, head);
     }
     take_picture(own.blocks, head);
-    report.blocks.emplace_back(head);
+    report.add(head);
     std::ranges::move(own.blocks, std::back_inserter(report.blocks));
     append_inputs(file, report);
     Json json;

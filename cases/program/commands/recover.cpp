@@ -106,7 +106,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     const std::string status = status_of(recoveries);
     const std::string reserved = reservation_of_recovery(status);
     add_reservation(reserved, status == "interrupted", report);
-    StudyDocuments documents = document_recovery(recoveries, options.at_best, folder, report);
+    StudyDocuments documents = document_recovery(recoveries, options.at_best, {folder, report});
     Json json;
     json["status"] = status;
     json.update(documents.json);

@@ -171,7 +171,7 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
         try {
             stop_if_interrupted();
             folder.report_progress(0, "");
-            result = item->reproduce(folder, report);
+            result = item->reproduce({folder, report});
         } catch (const Interrupted&) {
             progress.reset();
             std::cerr << "delabole: interrupted at " << item->name
@@ -203,15 +203,15 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
                       {"not_printed", counts.not_printed}};
     const std::string counted = in_words(counts);
     const std::string missing = what.empty() ? left_out() : "";
-    report.blocks.emplace_back(Heading{"Count"});
-    report.blocks.emplace_back(Paragraph{counted + (missing.empty() ? "" : "; " + missing)});
+    report.add(Heading{"Count"});
+    report.add(Paragraph{counted + (missing.empty() ? "" : "; " + missing)});
     Json source;
     source["program"] = "delabole " + std::string(version());
     source["revision"] = std::string(revision());
     source["wall_seconds"] = watch.seconds();
     json["provenance"] = source;
-    report.blocks.emplace_back(Heading{"Provenance"});
-    report.blocks.emplace_back(provenance_block(source));
+    report.add(Heading{"Provenance"});
+    report.add(provenance_block(source));
     folder.write_report(report);
     folder.write("result.json", json_text(json));
     if (options.json) {

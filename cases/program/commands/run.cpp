@@ -78,18 +78,17 @@ void announce(const CaseFile& file, const Options& options) {
     }
 }
 
-void append_sweeps(const CaseFile& file, const ResultFolder& folder, const Options& options, Json& json,
-                   Report& report) {
+void append_sweeps(const CaseFile& file, const Sheet& sheet, const Options& options, Json& json) {
     if (file.sweeps.empty()) {
         return;
     }
-    report.blocks.emplace_back(Heading{"Sweeps"});
+    sheet.add(Heading{"Sweeps"});
     Progress progress(options.quiet);
     const auto tell = [&](double share) { progress.report(share, "sweeps"); };
     const std::vector<Comparison> compared =
-        document_sweeps(file, {.threads = options.threads, .progress = tell}, folder, report);
+        document_sweeps(file, {.threads = options.threads, .progress = tell}, sheet);
     if (!compared.empty()) {
-        report.blocks.emplace_back(comparison_table(compared));
+        sheet.add(comparison_table(compared));
         json["printed_and_computed"] = json_of(compared);
     }
 }
@@ -141,35 +140,35 @@ ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     json["provenance"] = source;
 
     Report own;
-    append_case_figures(file.model, answer, folder, own, deviations_of(file));
+    append_case_figures(file.model, answer, {folder, own}, deviations_of(file));
     HeadCard head = head_card(file.model, answer);
     take_picture(own.blocks, head);
     if (support) {
         add_to_head(*support, head);
     }
     Report report{title_of(file, options), file.description, {}};
-    report.blocks.emplace_back(head);
+    report.add(head);
     if (!analysis.unfinished.empty()) {
-        report.blocks.emplace_back(
+        report.add(
             Notice{NoticeKind::warning, interrupt_flag() ? "Interrupted" : "Not converged", {analysis.unfinished}});
     }
     if (!analysis.warnings.empty()) {
-        report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", analysis.warnings});
+        report.add(Notice{NoticeKind::warning, "Warnings", analysis.warnings});
     }
     // A relaxation has dozens of outputs, most of which are not the answer, so their table is folded.
     if (std::holds_alternative<RelaxationStudy>(file.model)) {
-        own.blocks.emplace_back(Folded{"All results", {output_table(analysis)}});
+        own.add(Folded{"All results", {output_table(analysis)}});
     } else {
-        report.blocks.emplace_back(Heading{"Results"});
-        report.blocks.emplace_back(output_table(analysis));
+        report.add(Heading{"Results"});
+        report.add(output_table(analysis));
     }
     std::ranges::move(own.blocks, std::back_inserter(report.blocks));
     if (support) {
-        json["support_design"] = document_support(*support, folder, report);
+        json["support_design"] = document_support(*support, {folder, report});
     }
-    append_sweeps(file, folder, options, json, report);
+    append_sweeps(file, {folder, report}, options, json);
     append_inputs(file, report);
-    report.blocks.emplace_back(Folded{"Provenance", {provenance_block(source)}});
+    report.add(Folded{"Provenance", {provenance_block(source)}});
 
     folder.write("resolved.toml", resolved_toml(file));
     write_outputs(folder, analysis);

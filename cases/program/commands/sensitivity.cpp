@@ -36,7 +36,7 @@ std::string reservation(SensitivityStatus status) {
 }
 
 // Appends the slope itself, below the head card. Blocks in motion are left out: their picture requires a run.
-void append_slope(const CaseModel& model, const ResultFolder& folder, Report& report) {
+void append_slope(const CaseModel& model, const Sheet& sheet) {
     if (std::holds_alternative<RelaxationStudy>(model)) {
         return;
     }
@@ -47,10 +47,10 @@ void append_slope(const CaseModel& model, const ResultFolder& folder, Report& re
     std::vector<ReportBlock> blocks{Heading{"The slope with the values of the case"}};
     blocks.emplace_back(Paragraph{separated(head_card(model, answer).sentences, " ")});
     if (const auto picture = first_case_figure(model, answer)) {
-        blocks.emplace_back(folder.draw(picture->figure, "section", picture->caption));
+        blocks.emplace_back(sheet.folder.draw(picture->figure, "section", picture->caption));
     }
-    report.blocks.insert(report.blocks.begin() + 1, std::move_iterator(blocks.begin()),
-                         std::move_iterator(blocks.end()));
+    sheet.report.blocks.insert(sheet.report.blocks.begin() + 1, std::move_iterator(blocks.begin()),
+                               std::move_iterator(blocks.end()));
 }
 
 }  // namespace
@@ -77,18 +77,18 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     Report report{title_of(file, options), file.description, {}};
     const std::string reserved = reservation(result.status);
     add_reservation(reserved, result.status == SensitivityStatus::interrupted, report);
-    StudyDocuments documents = document_sensitivity(file, problem, result, folder, report);
+    StudyDocuments documents = document_sensitivity(file, problem, result, {folder, report});
     Json json;
     json["status"] = word_of(result.status);
     json.update(documents.json);
-    append_slope(file.model, folder, report);
+    append_slope(file.model, {folder, report});
     if (support) {
         for (ReportBlock& block : report.blocks) {
             if (auto* head = std::get_if<HeadCard>(&block)) {
                 add_to_head(*support, *head);
             }
         }
-        json["support_design"] = document_support(*support, folder, report);
+        json["support_design"] = document_support(*support, {folder, report});
         documents.screen = support->sentence + "\n" + documents.screen;
     }
     Json source = provenance(file, "sensitivity", options, watch.seconds());

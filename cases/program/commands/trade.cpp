@@ -96,9 +96,9 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
     add_reservation(reserved, result.status == TradeStatus::interrupted, report);
     const std::vector<std::string> remarks = trade_remarks(study);
     if (!remarks.empty()) {
-        report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", remarks});
+        report.add(Notice{NoticeKind::warning, "Warnings", remarks});
     }
-    StudyDocuments documents = document_trade(problem.parameters, result, truth, folder, report);
+    StudyDocuments documents = document_trade(problem.parameters, result, truth, {folder, report});
     Json source = provenance(file, "trade", options, watch.seconds());
     Json json;
     json["status"] = std::string(word_of(result.status));

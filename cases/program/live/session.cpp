@@ -249,13 +249,13 @@ Json LiveSession::answer_to(const CaseModel& model, bool all_figures) const {
             throw EnoughFigures();
         }
     });
+    const Sheet sheet{figures, ignored};
     try {
         if (fit_ && fit_->profile) {  // the section with the ground that was observed and the one predicted
             MechanismFit here{};
-            std::visit([&](const auto& study) { append_mechanism_figures(study, here, *fit_, figures, ignored); },
-                       model);
+            std::visit([&](const auto& study) { append_mechanism_figures(study, here, *fit_, sheet); }, model);
         }
-        append_case_figures(model, answer, figures, ignored);
+        append_case_figures(model, answer, sheet);
     } catch (const EnoughFigures&) {
         return json;
     }

@@ -46,7 +46,7 @@ void add_samples(CaseFile file, std::vector<std::string>& sentences) {
     Deadline deadline;
     const SensitivityResult result = sensitivity(problem, deadline.listener(), &deadline.over);
     Report report;
-    std::istringstream screen(document_sensitivity(file, problem, result, ResultFolder(), report).screen);
+    std::istringstream screen(document_sensitivity(file, problem, result, {ResultFolder(), report}).screen);
     for (std::string sentence; std::getline(screen, sentence);) {
         sentences.push_back(sentence);
     }

@@ -126,10 +126,9 @@ Json json_of(const ConclusionTest& test, const TestFinding& finding) {
 }  // namespace
 
 StudyDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
-                                    const std::vector<ConclusionFinding>& findings, const ResultFolder& folder,
-                                    Report& report) {
+                                    const std::vector<ConclusionFinding>& findings, const Sheet& sheet) {
     StudyDocuments documents;
-    report.blocks.emplace_back(Heading{"Conclusions held against the fit"});
+    sheet.add(Heading{"Conclusions held against the fit"});
     Table table{"What was concluded",
                 {"conclusion", "statement", "by this fit", "what would decide it", "source", "note"}};
     Table tests{
@@ -169,10 +168,10 @@ StudyDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
             screen.push_back({"", "would decide it", decision});
         }
     }
-    folder.write("conclusions.csv", csv.text());
-    report.blocks.emplace_back(std::move(table));
+    sheet.write("conclusions.csv", csv.text());
+    sheet.add(std::move(table));
     if (!tests.rows.empty()) {
-        report.blocks.emplace_back(Folded{"How each was tested", {std::move(tests)}});
+        sheet.add(Folded{"How each was tested", {std::move(tests)}});
     }
     documents.screen = '\n' + aligned_columns(screen);
     return documents;

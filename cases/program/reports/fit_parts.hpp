@@ -46,13 +46,13 @@ std::string first_under_other_priors(const FitResult& result);
 
 // Comparison of the evidences of all mechanisms: table and figures for the report, evidence.csv. Nothing if no
 // posterior was asked for.
-void append_evidence(const FitResult& result, const ResultFolder& folder, Report& report);
+void append_evidence(const FitResult& result, const Sheet& sheet);
 Json json_of_evidence(const FitResult& result);
 std::string screen_of_evidence(const FitResult& result);
 
 // One mechanism's intervals with their diagnostics, and its draws as <name>_draws.csv. Nothing if the fit has no
 // posterior.
-void append_posterior(const MechanismFit& fit, const ResultFolder& folder, Report& report);
+void append_posterior(const MechanismFit& fit, const Sheet& sheet);
 Json json_of_posterior(const MechanismFit& fit);
 std::string screen_of_posterior(const MechanismFit& fit);
 

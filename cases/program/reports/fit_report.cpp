@@ -214,17 +214,15 @@ CaseModel at_best_point(const MechanismFit& fit, const CaseModel& model) {
 }
 
 // Figures of the mechanism's own model at the best point, and a case with which `run` shows everything else about it.
-void append_best_point(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
-                       const FitProblem& problem) {
+void append_best_point(const Sheet& sheet, const MechanismFit& fit, const CaseModel& model, const FitProblem& problem) {
     if (fit.best.empty()) {
         return;
     }
     CaseFile best;
     best.title = title_of(fit) + ", at the best point of the fit";
     best.model = at_best_point(fit, model);
-    folder.write(fit.name + "_best.toml", resolved_toml(best));
-    std::visit([&](const auto& at_best) { append_mechanism_figures(at_best, fit, problem, folder, report); },
-               best.model);
+    sheet.write(fit.name + "_best.toml", resolved_toml(best));
+    std::visit([&](const auto& at_best) { append_mechanism_figures(at_best, fit, problem, sheet); }, best.model);
 }
 
 // Misfit over the first two parameters; nothing if the fit holds no map.
@@ -239,47 +237,45 @@ std::optional<FigureInReport> map_of(const MechanismFit& fit, const ResultFolder
 
 Folded sampling_of(const MechanismFit& fit, const ResultFolder& folder) {
     Report posterior;
-    append_posterior(fit, folder, posterior);
+    append_posterior(fit, {folder, posterior});
     return {"Its posterior: draws and chains", std::move(posterior.blocks)};
 }
 
 // Everything about a mechanism except its first figure, which is added to `sections`.
-void append_mechanism(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
-                      const FitProblem& problem, FigureRow& sections) {
-    report.blocks.emplace_back(Heading{title_of(fit) == report.title ? "What was fitted" : title_of(fit)});
-    report.blocks.emplace_back(Notice{NoticeKind::verdict, "What the data determine", {fit.identifiability.verdict}});
+void append_mechanism(const Sheet& sheet, const MechanismFit& fit, const CaseModel& model, const FitProblem& problem,
+                      FigureRow& sections) {
+    sheet.add(Heading{title_of(fit) == sheet.report.title ? "What was fitted" : title_of(fit)});
+    sheet.add(Notice{NoticeKind::verdict, "What the data determine", {fit.identifiability.verdict}});
     if (fit.posterior && !fit.posterior->warnings.empty()) {
-        report.blocks.emplace_back(
-            Notice{NoticeKind::warning, "Before the intervals are believed", fit.posterior->warnings});
+        sheet.add(Notice{NoticeKind::warning, "Before the intervals are believed", fit.posterior->warnings});
     }
     if (fit.best.empty() && !fit.parameters.empty()) {
-        report.blocks.emplace_back(
+        sheet.add(
             Notice{NoticeKind::warning,
                    "No answer",
                    {"the model has no answer anywhere within the bounds. " + evaluations_in_words(fit.evaluations)}});
-        append_posterior(fit, folder, report);
+        append_posterior(fit, sheet);
         return;
     }
     if (fit.status != FitStatus::converged) {
-        report.blocks.emplace_back(
-            Notice{NoticeKind::warning,
-                   "Not converged",
-                   {"status: " + std::string(word_of(fit.status)) + "; the best point seen is shown"}});
+        sheet.add(Notice{NoticeKind::warning,
+                         "Not converged",
+                         {"status: " + std::string(word_of(fit.status)) + "; the best point seen is shown"}});
     }
     if (fit.surrogate) {
-        report.blocks.emplace_back(Paragraph{surrogate_in_words(fit)});
-        write_runs(fit, folder);
+        sheet.add(Paragraph{surrogate_in_words(fit)});
+        write_runs(fit, sheet.folder);
     }
-    report.blocks.emplace_back(parameter_table(fit));
-    report.blocks.emplace_back(observation_table(fit));
+    sheet.add(parameter_table(fit));
+    sheet.add(observation_table(fit));
     if (!fit.explained.empty()) {
-        report.blocks.emplace_back(Paragraph{"Field evidence explained: " + list_in_words(fit.explained) + "."});
+        sheet.add(Paragraph{"Field evidence explained: " + list_in_words(fit.explained) + "."});
     }
     if (!fit.unexplained.empty()) {
-        report.blocks.emplace_back(Notice{NoticeKind::warning, "What it does not explain", fit.unexplained});
+        sheet.add(Notice{NoticeKind::warning, "What it does not explain", fit.unexplained});
     }
     Report figures;
-    append_best_point(figures, folder, fit, model, problem);
+    append_best_point({sheet.folder, figures}, fit, model, problem);
     const auto first = std::ranges::find_if(
         figures.blocks, [](const ReportBlock& block) { return std::holds_alternative<FigureInReport>(block); });
     if (first != figures.blocks.end()) {
@@ -287,12 +283,12 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
         sections.figures.back().caption.insert(0, title_of(fit) + ". ");
         figures.blocks.erase(first);
     }
-    std::ranges::move(figures.blocks, std::back_inserter(report.blocks));
-    report.blocks.emplace_back(knowledge_of(fit, folder));
+    std::ranges::move(figures.blocks, std::back_inserter(sheet.report.blocks));
+    sheet.add(knowledge_of(fit, sheet.folder));
     if (fit.posterior) {
-        report.blocks.emplace_back(sampling_of(fit, folder));
+        sheet.add(sampling_of(fit, sheet.folder));
     }
-    write_tables(fit, folder);
+    write_tables(fit, sheet.folder);
 }
 
 std::string screen_of(const MechanismFit& fit, const std::string& title) {
@@ -359,46 +355,47 @@ Json json_of_fit(const CaseFile& file, const FitResult& result) {
 }
 
 StudyDocuments document_fit(const CaseFile& file, const FitProblem& problem, const FitResult& result,
-                            const ResultFolder& folder, Report& report) {
+                            const Sheet& sheet) {
     StudyDocuments documents{json_of_fit(file, result), {}, {}};
     HeadCard head = head_card(result);
     FigureRow sections;
-    Report details{report.title, {}, {}};
+    Report details{sheet.report.title, {}, {}};
     for (const MechanismFit& fit : result.mechanisms) {
-        append_mechanism(details, folder, fit, model_of(file, fit.name), problem, sections);
+        append_mechanism({sheet.folder, details}, fit, model_of(file, fit.name), problem, sections);
         if (&fit != &result.mechanisms.front()) {
-            if (const auto map = map_of(fit, folder)) {
-                details.blocks.emplace_back(*map);
+            if (const auto map = map_of(fit, sheet.folder)) {
+                details.add(*map);
             }
         }
-        documents.screen += screen_of(fit, report.title) + "\n";
+        documents.screen += screen_of(fit, sheet.report.title) + "\n";
     }
     documents.details = std::move(details.blocks);
     if (!sections.figures.empty()) {
         head.picture = sections.figures.front();
         sections.figures.erase(sections.figures.begin());
     }
-    report.blocks.insert(report.blocks.begin(), std::move(head));
-    if (const auto trade_off = result.mechanisms.empty() ? std::nullopt : map_of(result.mechanisms.front(), folder)) {
+    sheet.report.blocks.insert(sheet.report.blocks.begin(), std::move(head));
+    if (const auto trade_off =
+            result.mechanisms.empty() ? std::nullopt : map_of(result.mechanisms.front(), sheet.folder)) {
         const std::vector<FreeParameter>& parameters = result.mechanisms.front().parameters;
-        report.blocks.emplace_back(Heading{capitalised(short_name(result.mechanisms.front(), parameters[0].name)) +
-                                           " against " + short_name(result.mechanisms.front(), parameters[1].name)});
-        report.blocks.emplace_back(*trade_off);
+        sheet.add(Heading{capitalised(short_name(result.mechanisms.front(), parameters[0].name)) + " against " +
+                          short_name(result.mechanisms.front(), parameters[1].name)});
+        sheet.add(*trade_off);
     }
-    report.blocks.emplace_back(Heading{result.mechanisms.size() == 1 ? "How well it fits" : "Mechanisms"});
+    sheet.add(Heading{result.mechanisms.size() == 1 ? "How well it fits" : "Mechanisms"});
     if (!sections.figures.empty()) {
-        report.blocks.emplace_back(std::move(sections));
+        sheet.add(std::move(sections));
     }
-    append_evidence(result, folder, report);
-    report.blocks.emplace_back(ranking_table(result));
-    report.blocks.emplace_back(Paragraph{
+    append_evidence(result, sheet);
+    sheet.add(ranking_table(result));
+    sheet.add(Paragraph{
         "Score: the squared residuals of data and priors, and 4 for each datum or piece of field evidence that "
         "the mechanism says nothing about. A mechanism whose geometry is put in matches the observed "
         "surfaces by construction; one that predicts them can miss them."});
     if (const auto profiles = profiles_figure(problem, result, toe_elevation_of(file.model))) {
-        report.blocks.emplace_back(folder.draw(*profiles, "profiles",
-                                               "Where the geometry is put in, the profile is no prediction: only a "
-                                               "mechanism that searches for its geometry can miss the observed one."));
+        sheet.draw(*profiles, "profiles",
+                   "Where the geometry is put in, the profile is no prediction: only a "
+                   "mechanism that searches for its geometry can miss the observed one.");
     }
     documents.screen += screen_of_evidence(result);
     return documents;

@@ -76,15 +76,13 @@ void add_rows(const CandidateInformation& candidate, CsvTable& csv) {
 }  // namespace
 
 StudyDocuments document_information(const std::vector<FitCandidate>& candidates,
-                                    const std::vector<CandidateInformation>& information, const ResultFolder& folder,
-                                    Report& report) {
+                                    const std::vector<CandidateInformation>& information, const Sheet& sheet) {
     StudyDocuments documents;
-    report.blocks.emplace_back(Heading{"What to measure next"});
-    report.blocks.emplace_back(folder.draw(
-        information_figure(information), "value_of_information",
-        "Expected reduction of each parameter's posterior standard deviation, mechanisms weighted by their "
-        "probabilities. Outcomes of the measurement are simulated from the posterior, and the posterior is weighted "
-        "anew with each; a mechanism that says nothing about the quantity gains nothing."));
+    sheet.add(Heading{"What to measure next"});
+    sheet.draw(information_figure(information), "value_of_information",
+               "Expected reduction of each parameter's posterior standard deviation, mechanisms weighted by their "
+               "probabilities. Outcomes of the measurement are simulated from the posterior, and the posterior is "
+               "weighted anew with each; a mechanism that says nothing about the quantity gains nothing.");
     Table table{"Expected reduction of standard deviations, two standard errors either way",
                 {"measurement", "error", "most", "about the mechanism, nats"_number, "cost"_number}};
     Table by_mechanism{"By mechanism", {{"measurement"}, {"mechanism"}, {"expected reduction"}}};
@@ -122,9 +120,9 @@ StudyDocuments document_information(const std::vector<FitCandidate>& candidates,
         }
         add_rows(candidate, csv);
     }
-    folder.write("value_of_information.csv", csv.text());
-    report.blocks.emplace_back(std::move(table));
-    report.blocks.emplace_back(std::move(by_mechanism));
+    sheet.write("value_of_information.csv", csv.text());
+    sheet.add(std::move(table));
+    sheet.add(std::move(by_mechanism));
     documents.screen = '\n' + text_table(screen);
     return documents;
 }

@@ -264,15 +264,15 @@ std::string first_under_other_priors(const FitResult& result) {
     return has_variants(all) ? others_first_in_words(all) : std::string();
 }
 
-void append_evidence(const FitResult& result, const ResultFolder& folder, Report& report) {
+void append_evidence(const FitResult& result, const Sheet& sheet) {
     const Weighed all = weighed(result);
     if (all.fits.empty()) {
         return;
     }
     if (const std::string sentence = dependence_in_words(all); !sentence.empty()) {
-        report.blocks.emplace_back(Notice{NoticeKind::verdict, "Whether the ranking can be trusted", {sentence}});
+        sheet.add(Notice{NoticeKind::verdict, "Whether the ranking can be trusted", {sentence}});
     }
-    report.blocks.emplace_back(evidence_table_of(all));
+    sheet.add(evidence_table_of(all));
     Folded folded{"Evidence: how it was weighed, and what it depends on", {}};
     folded.blocks.emplace_back(Paragraph{
         "Evidence: the likelihood exp(-misfit / 2) averaged over the priors, so that a mechanism pays for parameters "
@@ -280,24 +280,24 @@ void append_evidence(const FitResult& result, const ResultFolder& folder, Report
         "field evidence about which it says nothing counts as missed by two standard deviations. Probabilities hold if "
         "one of these mechanisms is true and all are equally likely beforehand. Errors are those of the computation."});
     if (const auto figure = evidence_figure(result)) {
-        folded.blocks.emplace_back(
-            folder.draw(*figure, "evidence", "Natural logarithm of the evidence and its parts: shorter is better."));
+        folded.blocks.emplace_back(sheet.folder.draw(
+            *figure, "evidence", "Natural logarithm of the evidence and its parts: shorter is better."));
     }
     if (all.fits.front()->posterior->evidences.size() > 1) {
         folded.blocks.emplace_back(dependence_table(all));
     }
     if (const auto figure = evidence_dependence_figure(result)) {
-        folded.blocks.emplace_back(folder.draw(
+        folded.blocks.emplace_back(sheet.folder.draw(
             *figure, "evidence_dependence",
             "Evidence when the standard deviations or the means of all priors, or the standard deviation of the "
             "observed factors of safety (the model error), are changed. Bars: 95 % interval of the computation."));
     }
     if (const auto figure = chain_agreement_figure(result)) {
-        folded.blocks.emplace_back(folder.draw(*figure, "chain_agreement",
-                                               "How far the chains disagree, by the length that was used of them."));
+        folded.blocks.emplace_back(sheet.folder.draw(
+            *figure, "chain_agreement", "How far the chains disagree, by the length that was used of them."));
     }
-    report.blocks.emplace_back(std::move(folded));
-    write_evidence(all, folder);
+    sheet.add(std::move(folded));
+    write_evidence(all, sheet.folder);
 }
 
 Json json_of_evidence(const FitResult& result) {
@@ -348,7 +348,7 @@ std::string screen_of_evidence(const FitResult& result) {
     return text_table(rows) + (sentence.empty() ? "" : "  " + sentence + "\n") + "\n";
 }
 
-void append_posterior(const MechanismFit& fit, const ResultFolder& folder, Report& report) {
+void append_posterior(const MechanismFit& fit, const Sheet& sheet) {
     if (!fit.posterior) {
         return;
     }
@@ -356,25 +356,25 @@ void append_posterior(const MechanismFit& fit, const ResultFolder& folder, Repor
     if (posterior.draws.empty()) {
         return;
     }
-    report.blocks.emplace_back(posterior_table(fit));
-    report.blocks.emplace_back(Paragraph{sampling_in_words(posterior)});
+    sheet.add(posterior_table(fit));
+    sheet.add(Paragraph{sampling_in_words(posterior)});
     if (const auto figure = posterior_corner_figure(fit)) {
-        FigureInReport corner = folder.draw(*figure, fit.name + "_posterior",
-                                            "Posterior of each parameter over its prior, and of each pair. Vertical "
-                                            "lines and the diamond: the best point.");
+        FigureInReport corner =
+            sheet.folder.draw(*figure, fit.name + "_posterior",
+                              "Posterior of each parameter over its prior, and of each pair. Vertical "
+                              "lines and the diamond: the best point.");
         corner.wide = posterior.parameters.size() > 2;
-        report.blocks.emplace_back(std::move(corner));
+        sheet.add(std::move(corner));
     }
     if (const auto figure = running_quantiles_figure(fit)) {
-        report.blocks.emplace_back(
-            folder.draw(*figure, fit.name + "_sampling",
-                        "Convergence of the sampling: median and ends of the 95 % interval from the first steps of all "
-                        "chains, less the final median and in final standard deviations."));
+        sheet.draw(*figure, fit.name + "_sampling",
+                   "Convergence of the sampling: median and ends of the 95 % interval from the first steps of all "
+                   "chains, less the final median and in final standard deviations.");
     }
     if (posterior.parameters.size() > 1) {
-        report.blocks.emplace_back(posterior_correlations(fit));
+        sheet.add(posterior_correlations(fit));
     }
-    write_draws(fit, folder);
+    write_draws(fit, sheet.folder);
 }
 
 Json json_of_posterior(const MechanismFit& fit) {

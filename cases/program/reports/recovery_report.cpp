@@ -70,18 +70,17 @@ void write_repetitions(const MechanismRecovery& recovery, const ResultFolder& fo
     folder.write("repetitions_" + recovery.name + ".csv", csv.text());
 }
 
-void document_mechanism(const MechanismRecovery& recovery, const ResultFolder& folder, Report& report, CsvTable& csv,
+void document_mechanism(const MechanismRecovery& recovery, const Sheet& sheet, CsvTable& csv,
                         std::vector<std::vector<std::string>>& screen) {
-    report.blocks.emplace_back(Heading{recovery.name, 3});
-    report.blocks.emplace_back(Paragraph{account_of(recovery)});
+    sheet.add(Heading{recovery.name, 3});
+    sheet.add(Paragraph{account_of(recovery)});
     if (recovery.parameters.empty()) {
-        report.blocks.emplace_back(
-            Notice{NoticeKind::warning, "No answer", {"no repetition of " + recovery.name + " counts"}});
+        sheet.add(Notice{NoticeKind::warning, "No answer", {"no repetition of " + recovery.name + " counts"}});
         return;
     }
-    report.blocks.emplace_back(folder.draw(coverage_figure(recovery), "coverage_" + recovery.name,
-                                           "Share of the intervals between equal tails that held the truth, with its "
-                                           "95 % interval (Wilson) for so many repetitions."));
+    sheet.draw(coverage_figure(recovery), "coverage_" + recovery.name,
+               "Share of the intervals between equal tails that held the truth, with its "
+               "95 % interval (Wilson) for so many repetitions.");
     Table table{
         "Coverage, bias and ranks (95 % intervals)",
         {"parameter", "68 % intervals"_number, "95 % intervals"_number, "bias, posterior standard deviations"_number,
@@ -101,41 +100,37 @@ void document_mechanism(const MechanismRecovery& recovery, const ResultFolder& f
                      parameter.coverage_95.interval_95.upper, parameter.bias.value, parameter.bias.interval_95.lower,
                      parameter.bias.interval_95.upper, parameter.uniformity});
     }
-    report.blocks.emplace_back(std::move(table));
+    sheet.add(std::move(table));
     for (std::size_t index = 0; index < recovery.parameters.size(); ++index) {
-        report.blocks.emplace_back(folder.draw(
-            rank_figure(recovery, recovery.parameters[index]),
-            "ranks_" + recovery.name + "_" + std::to_string(index + 1),
-            "How many of the draws of its posterior lay below the truth. Truths drawn from the prior have every rank "
-            "equally often; a peak in the middle means that intervals are too wide, peaks at both ends that they are "
-            "too "
-            "narrow, a slope that they are biased."));
+        sheet.draw(rank_figure(recovery, recovery.parameters[index]),
+                   "ranks_" + recovery.name + "_" + std::to_string(index + 1),
+                   "How many of the draws of its posterior lay below the truth. Truths drawn from the prior have every "
+                   "rank equally often; a peak in the middle means that intervals are too wide, peaks at both ends "
+                   "that they are too narrow, a slope that they are biased.");
     }
-    write_repetitions(recovery, folder);
+    write_repetitions(recovery, sheet.folder);
 }
 
 }  // namespace
 
-StudyDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries, bool at_best,
-                                 const ResultFolder& folder, Report& report) {
+StudyDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries, bool at_best, const Sheet& sheet) {
     StudyDocuments documents;
-    report.blocks.emplace_back(Heading{"Known parameters found again"});
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(Heading{"Known parameters found again"});
+    sheet.add(Paragraph{
         std::string("Data were made from known parameters, ") +
         (at_best ? "those of the best fit" : "drawn from the prior") +
         ", with the errors that the observations are given, and back-analysed as real data are, time and again. " +
-        (at_best
-             ? "What departs from the nominal shares is the influence of the prior and the curvature of the model over "
-               "the posterior."
-             : "Were the sampling at fault, intervals would hold the truth too often or too seldom, and its rank "
-               "among the draws would not be uniform (Talts et al. 2018).")});
+        (at_best ? "What departs from the nominal shares is the influence of the prior and the curvature of the model "
+                   "over the posterior."
+                 : "Were the sampling at fault, intervals would hold the truth too often or too seldom, and its rank "
+                   "among the draws would not be uniform (Talts et al. 2018).")});
     CsvTable csv({"mechanism", "parameter", "repetitions", "coverage_68", "coverage_68_lower", "coverage_68_upper",
                   "coverage_95", "coverage_95_lower", "coverage_95_upper", "bias", "bias_lower", "bias_upper",
                   "uniformity"});
     std::vector<std::vector<std::string>> screen{
         {"mechanism, parameter", "68 % intervals", "95 % intervals", "bias", "ranks"}};
     for (const MechanismRecovery& recovery : recoveries) {
-        document_mechanism(recovery, folder, report, csv, screen);
+        document_mechanism(recovery, sheet, csv, screen);
         Json& json = documents.json["mechanisms"][recovery.name];
         json["repetitions"] = recovery.counted;
         put<&MechanismRecovery::not_converged, &MechanismRecovery::without_truth, &MechanismRecovery::profile_left_out>(
@@ -145,7 +140,7 @@ StudyDocuments document_recovery(const std::vector<MechanismRecovery>& recoverie
             json["parameters"][parameter.name] = json_of(parameter);
         }
     }
-    folder.write("coverage.csv", csv.text());
+    sheet.write("coverage.csv", csv.text());
     documents.screen = text_table(screen);
     return documents;
 }

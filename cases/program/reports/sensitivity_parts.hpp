@@ -44,20 +44,15 @@ std::string probability_in_words(const FailureProbability& failure);
 std::string reliability_in_words(const ReliabilityResult& result);
 
 // Each appends blocks to the report, fills its part of the JSON and writes its tables and figures.
-void document_tornado(const StudySubject& subject, const TornadoResult& result, const ResultFolder& folder,
-                      Report& report, Json& json);
+void document_tornado(const StudySubject& subject, const TornadoResult& result, const Sheet& sheet, Json& json);
 // Sentences on the parameters with the greatest effect on each quantity, and on those for which it is not monotone.
 std::vector<std::string> sweep_findings(const StudySubject& subject, const std::vector<SweepResult>& results);
-void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>& results, const ResultFolder& folder,
-                     Report& report, Json& json);
-void document_morris(const StudySubject& subject, const MorrisResult& result, const ResultFolder& folder,
-                     Report& report, Json& json);
-void document_indices(const StudySubject& subject, const SobolIndicesResult& result, const ResultFolder& folder,
-                      Report& report, Json& json);
+void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>& results, const Sheet& sheet,
+                     Json& json);
+void document_morris(const StudySubject& subject, const MorrisResult& result, const Sheet& sheet, Json& json);
+void document_indices(const StudySubject& subject, const SobolIndicesResult& result, const Sheet& sheet, Json& json);
 void document_samples(const StudySubject& subject, const PropagationResult& result,
-                      const std::optional<ReliabilityResult>& first_order, const ResultFolder& folder, Report& report,
-                      Json& json);
-void document_reliability(const StudySubject& subject, const ReliabilityResult& result, const ResultFolder& folder,
-                          Report& report, Json& json);
+                      const std::optional<ReliabilityResult>& first_order, const Sheet& sheet, Json& json);
+void document_reliability(const StudySubject& subject, const ReliabilityResult& result, const Sheet& sheet, Json& json);
 
 }  // namespace delabole

@@ -65,7 +65,7 @@ void document_failure(const StudySubject& subject, const FailureProbability& fai
             text += met ? "" : " No sample gave the word " + word + ".";
         }
     }
-    report.blocks.emplace_back(Paragraph{std::move(text)});
+    report.add(Paragraph{std::move(text)});
 }
 
 void write_distribution(const StudySubject& subject, const PropagationResult& result, const ResultFolder& folder) {
@@ -112,24 +112,22 @@ std::string probability_in_words(const FailureProbability& failure) {
 }
 
 void document_samples(const StudySubject& subject, const PropagationResult& result,
-                      const std::optional<ReliabilityResult>& first_order, const ResultFolder& folder, Report& report,
-                      Json& json) {
-    report.blocks.emplace_back(Heading{"Distribution of the " + human_name(subject.quantity.name)});
-    report.blocks.emplace_back(Paragraph{method_in_words(*subject.study.propagation) + "."});
+                      const std::optional<ReliabilityResult>& first_order, const Sheet& sheet, Json& json) {
+    sheet.add(Heading{"Distribution of the " + human_name(subject.quantity.name)});
+    sheet.add(Paragraph{method_in_words(*subject.study.propagation) + "."});
     json["status"] = word_of(result.status);
     json["method"] = word_of(subject.study.propagation->method);
     put<&PropagationResult::samples, &PropagationResult::with_value, &PropagationResult::evaluations>(json, result);
     if (result.failure) {
-        document_failure(subject, *result.failure, result, report, json["failure"]);
+        document_failure(subject, *result.failure, result, sheet.report, json["failure"]);
     }
     if (!result.evaluations.failed_by_cause.empty()) {
-        report.blocks.emplace_back(causes_table(subject, result));
+        sheet.add(causes_table(subject, result));
     }
     if (result.with_value == 0) {
-        report.blocks.emplace_back(
-            Notice{NoticeKind::warning,
-                   result.status == PropagationStatus::no_answer ? "No answer" : "No distribution",
-                   {"no sample has a value"}});
+        sheet.add(Notice{NoticeKind::warning,
+                         result.status == PropagationStatus::no_answer ? "No answer" : "No distribution",
+                         {"no sample has a value"}});
         return;
     }
     const double shown = shown_unit(subject.quantity.dimension).si_per_unit;
@@ -146,22 +144,20 @@ void document_samples(const StudySubject& subject, const PropagationResult& resu
         json[subject.column("quantiles")].push_back(Json::array({share, json_number(subject.shown(value))}));
     }
     table.rows.push_back({"greatest", subject.in_words(result.greatest)});
-    report.blocks.emplace_back(std::move(table));
-    write_distribution(subject, result, folder);
-    report.blocks.emplace_back(
-        folder.draw(histogram_figure(subject.quantity, result, subject.study.failure), "histogram",
-                    "Samples with a value; the outermost bars hold what lies beyond the middle 99.9 %."));
-    report.blocks.emplace_back(folder.draw(cumulative_figure(subject.quantity, result, subject.study.failure),
-                                           "cumulative", "Share of the samples with a value not above each value."));
+    sheet.add(std::move(table));
+    write_distribution(subject, result, sheet.folder);
+    sheet.draw(histogram_figure(subject.quantity, result, subject.study.failure), "histogram",
+               "Samples with a value; the outermost bars hold what lies beyond the middle 99.9 %.");
+    sheet.draw(cumulative_figure(subject.quantity, result, subject.study.failure), "cumulative",
+               "Share of the samples with a value not above each value.");
     std::optional<double> first_order_probability;
     if (first_order && first_order->status == ReliabilityStatus::converged) {
         first_order_probability = first_order->probability_of_failure;
     }
-    report.blocks.emplace_back(
-        folder.draw(sampling_convergence_figure(subject.quantity, result, first_order_probability), "convergence",
-                    subject.study.propagation->method == SamplingMethod::latin_hypercube
-                        ? "Estimates from a growing number of whole Latin hypercubes."
-                        : "Estimates from the first samples, of every replicate where there are several."));
+    sheet.draw(sampling_convergence_figure(subject.quantity, result, first_order_probability), "convergence",
+               subject.study.propagation->method == SamplingMethod::latin_hypercube
+                   ? "Estimates from a growing number of whole Latin hypercubes."
+                   : "Estimates from the first samples, of every replicate where there are several.");
 }
 
 std::string reliability_in_words(const ReliabilityResult& result) {
@@ -184,15 +180,15 @@ std::string reliability_in_words(const ReliabilityResult& result) {
     return {};
 }
 
-void document_reliability(const StudySubject& subject, const ReliabilityResult& result, const ResultFolder& folder,
-                          Report& report, Json& json) {
-    report.blocks.emplace_back(Heading{"First-order reliability"});
+void document_reliability(const StudySubject& subject, const ReliabilityResult& result, const Sheet& sheet,
+                          Json& json) {
+    sheet.add(Heading{"First-order reliability"});
     std::string text = capitalised(reliability_in_words(result));
     text += ". " + std::to_string(result.converged_starts) + " of " + std::to_string(result.starts) +
             " starts converged, to " + std::to_string(result.points.size()) +
             (result.points.size() == 1 ? " point" : " distinct points") + " of the limit surface. " +
             evaluations_in_words(result.evaluations);
-    report.blocks.emplace_back(Paragraph{std::move(text)});
+    sheet.add(Paragraph{std::move(text)});
     put<&ReliabilityResult::status, &ReliabilityResult::starts, &ReliabilityResult::converged_starts,
         &ReliabilityResult::evaluations>(json, result);
     if (result.points.empty()) {
@@ -228,9 +224,9 @@ void document_reliability(const StudySubject& subject, const ReliabilityResult& 
                               std::isfinite(z) ? number_in_words(z) : "at its end",
                               number_in_words(nearest.alpha[index]), number_in_words(nearest.importance[index])});
     }
-    folder.write("design_points.csv", csv.text());
-    report.blocks.emplace_back(std::move(table));
-    report.blocks.emplace_back(
+    sheet.write("design_points.csv", csv.text());
+    sheet.add(std::move(table));
+    sheet.add(
         Paragraph{"A negative importance: the parameter falls on the way to failure. Squares of the importances add up "
                   "to 1. The first-order probability takes the limit surface for flat; the samples do not."});
 }

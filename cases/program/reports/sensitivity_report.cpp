@@ -40,7 +40,7 @@ void document_parameters(const StudySubject& subject, Report& report) {
                               value_in_words(subject.space.marginal(index).standard_deviation(), dimension),
                               parameter.source});
     }
-    report.blocks.emplace_back(std::move(table));
+    report.add(std::move(table));
     if (subject.study.correlations.empty()) {
         return;
     }
@@ -57,7 +57,7 @@ void document_parameters(const StudySubject& subject, Report& report) {
              number_in_words(
                  subject.space.normal_correlations()(place(correlation.pair[0]), place(correlation.pair[1])))});
     }
-    report.blocks.emplace_back(std::move(correlations));
+    report.add(std::move(correlations));
 }
 
 std::vector<std::string> findings(const StudySubject& subject, const SensitivityResult& result) {
@@ -169,7 +169,7 @@ std::string evaluations_in_words(const EvaluationCount& count) {
 }
 
 StudyDocuments document_sensitivity(const CaseFile& file, const SensitivityProblem& problem,
-                                    const SensitivityResult& result, const ResultFolder& folder, Report& report) {
+                                    const SensitivityResult& result, const Sheet& sheet) {
     const StudySubject subject(problem);
     StudyDocuments documents;
     Json& json = documents.json;
@@ -191,38 +191,39 @@ StudyDocuments document_sensitivity(const CaseFile& file, const SensitivityProbl
         }
     }
     Report details;
+    const Sheet detailed{sheet.folder, details};
     if (result.propagation) {
-        document_samples(subject, *result.propagation, result.reliability, folder, details, json["propagation"]);
+        document_samples(subject, *result.propagation, result.reliability, detailed, json["propagation"]);
     }
     if (result.reliability) {
-        document_reliability(subject, *result.reliability, folder, details, json["reliability"]);
+        document_reliability(subject, *result.reliability, detailed, json["reliability"]);
     }
     if (result.tornado) {
-        document_tornado(subject, *result.tornado, folder, details, json["tornado"]);
+        document_tornado(subject, *result.tornado, detailed, json["tornado"]);
     }
     if (!result.sweeps.empty()) {
-        document_sweeps(subject, result.sweeps, folder, details, json["sweep"]);
+        document_sweeps(subject, result.sweeps, detailed, json["sweep"]);
     }
     if (result.morris) {
-        document_morris(subject, *result.morris, folder, details, json["morris"]);
+        document_morris(subject, *result.morris, detailed, json["morris"]);
     }
     if (result.sobol_indices) {
-        document_indices(subject, *result.sobol_indices, folder, details, json["sobol_indices"]);
+        document_indices(subject, *result.sobol_indices, detailed, json["sobol_indices"]);
     }
     constexpr std::size_t most = 3;
     HeadCard head{AnswerTone::open, sentences, {}};
     std::stable_partition(head.sentences.begin(), head.sentences.end(),
                           [](const std::string& sentence) { return sentence.starts_with("Probability of failure"); });
     if (sentences.size() > most) {
-        details.blocks.emplace_back(Heading{"Further findings"});
-        details.blocks.emplace_back(BulletList{{head.sentences.begin() + most, head.sentences.end()}});
+        details.add(Heading{"Further findings"});
+        details.add(BulletList{{head.sentences.begin() + most, head.sentences.end()}});
         head.sentences.resize(most);
     }
     take_picture(details.blocks, head);
-    report.blocks.insert(report.blocks.begin(), std::move(head));
-    std::ranges::move(details.blocks, std::back_inserter(report.blocks));
-    report.blocks.emplace_back(Heading{"Uncertain parameters"});
-    document_parameters(subject, report);
+    sheet.report.blocks.insert(sheet.report.blocks.begin(), std::move(head));
+    std::ranges::move(details.blocks, std::back_inserter(sheet.report.blocks));
+    sheet.add(Heading{"Uncertain parameters"});
+    document_parameters(subject, sheet.report);
     for (const std::string& sentence : sentences) {
         documents.screen += sentence + "\n";
     }

@@ -65,10 +65,9 @@ std::string end_in_words(const StudySubject& subject, const Evaluation& answer) 
 
 }  // namespace
 
-void document_tornado(const StudySubject& subject, const TornadoResult& result, const ResultFolder& folder,
-                      Report& report, Json& json) {
+void document_tornado(const StudySubject& subject, const TornadoResult& result, const Sheet& sheet, Json& json) {
     const TornadoSettings& settings = *subject.study.tornado;
-    report.blocks.emplace_back(Heading{"One parameter at a time"});
+    sheet.add(Heading{"One parameter at a time"});
     const auto cell = [&](const Evaluation& answer) -> Cell {
         if (answer.valid()) {
             return subject.shown(answer.value);
@@ -91,18 +90,18 @@ void document_tornado(const StudySubject& subject, const TornadoResult& result, 
         const auto swing = bar.swing(result.at_medians);
         json["swing"][subject.names[index]] = swing ? json_number(subject.shown(*swing)) : Json(nullptr);
     }
-    folder.write("tornado.csv", csv.text());
+    sheet.write("tornado.csv", csv.text());
     std::optional<double> limit;
     if (subject.study.failure) {
         limit = subject.study.failure->limit;
     }
-    report.blocks.emplace_back(folder.draw(
+    sheet.draw(
         tornado_range_figure(subject.quantity, result, settings, subject.study.parameters, subject.dimensions, limit),
         "tornado",
         "Each parameter alone between its quantiles, the others at their medians; correlations play no part. With all "
         "at their medians: " +
-            end_in_words(subject, result.at_medians) + "."));
-    report.blocks.emplace_back(std::move(table));
+            end_in_words(subject, result.at_medians) + ".");
+    sheet.add(std::move(table));
 }
 
 std::vector<std::string> sweep_findings(const StudySubject& subject, const std::vector<SweepResult>& results) {
@@ -151,14 +150,13 @@ std::vector<std::string> sweep_findings(const StudySubject& subject, const std::
     return sentences;
 }
 
-void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>& results, const ResultFolder& folder,
-                     Report& report, Json& json) {
+void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>& results, const Sheet& sheet,
+                     Json& json) {
     const SweepSettings& settings = *subject.study.sweep;
-    report.blocks.emplace_back(Heading{"Each parameter over its range"});
-    report.blocks.emplace_back(Paragraph{
-        method_in_words(settings) +
-        " Not monotone: beside its greatest change, the quantity has one of the other sign that exceeds a hundredth of "
-        "it, and what its scatter alone would make in one sweep of twenty."});
+    sheet.add(Heading{"Each parameter over its range"});
+    sheet.add(Paragraph{method_in_words(settings) +
+                        " Not monotone: beside its greatest change, the quantity has one of the other sign that "
+                        "exceeds a hundredth of it, and what its scatter alone would make in one sweep of twenty."});
     CsvTable csv({"quantity", "quantity_unit", "parameter", "unit", "value", "answer"});
     for (std::size_t number = 0; number < results.size(); ++number) {
         const SweepResult& result = results[number];
@@ -198,24 +196,22 @@ void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>
                              in_display_unit(point.parameter, along), value});
             }
         }
-        report.blocks.emplace_back(std::move(table));
+        sheet.add(std::move(table));
     }
-    folder.write("sweep.csv", csv.text());
+    sheet.write("sweep.csv", csv.text());
 }
 
-void document_morris(const StudySubject& subject, const MorrisResult& result, const ResultFolder& folder,
-                     Report& report, Json& json) {
+void document_morris(const StudySubject& subject, const MorrisResult& result, const Sheet& sheet, Json& json) {
     const MorrisSettings& settings = *subject.study.morris;
     const double unit = display_unit(subject.quantity.dimension).si_per_unit;
     const double shown = shown_unit(subject.quantity.dimension).si_per_unit;
-    report.blocks.emplace_back(Heading{"Screening by elementary effects (Morris)"});
-    report.blocks.emplace_back(
-        folder.draw(morris_figure(subject.quantity, result, subject.names), "morris",
-                    "Mean absolute effect of a parameter's range, from its " + percent(settings.lower_probability) +
-                        " to its " + percent(settings.upper_probability) +
-                        " quantile, against the deviation of the effects, with 95 % intervals (bootstrap); " +
-                        std::to_string(settings.trajectories) + " trajectories over " +
-                        std::to_string(settings.levels) + " levels. Correlations play no part."));
+    sheet.add(Heading{"Screening by elementary effects (Morris)"});
+    sheet.draw(morris_figure(subject.quantity, result, subject.names), "morris",
+               "Mean absolute effect of a parameter's range, from its " + percent(settings.lower_probability) +
+                   " to its " + percent(settings.upper_probability) +
+                   " quantile, against the deviation of the effects, with 95 % intervals (bootstrap); " +
+                   std::to_string(settings.trajectories) + " trajectories over " + std::to_string(settings.levels) +
+                   " levels. Correlations play no part.");
     Table table{"Effects of the whole range (95 % interval)",
                 {"parameter", "mean absolute"_number, "mean"_number, "standard deviation"_number, "effects"_number}};
     CsvTable csv({"parameter", subject.column("mean_absolute"), subject.column("mean_absolute_lower"),
@@ -241,33 +237,30 @@ void document_morris(const StudySubject& subject, const MorrisResult& result, co
         entry["mean"] = json_number(effect.mean / unit);
         entry["standard_deviation"] = json_of(effect.standard_deviation, subject.quantity.dimension);
     }
-    folder.write("morris.csv", csv.text());
+    sheet.write("morris.csv", csv.text());
     json["evaluations"] = json_of(result.evaluations);
-    report.blocks.emplace_back(std::move(table));
-    report.blocks.emplace_back(Paragraph{evaluations_in_words(result.evaluations)});
+    sheet.add(std::move(table));
+    sheet.add(Paragraph{evaluations_in_words(result.evaluations)});
 }
 
-void document_indices(const StudySubject& subject, const SobolIndicesResult& result, const ResultFolder& folder,
-                      Report& report, Json& json) {
-    report.blocks.emplace_back(Heading{"Shares of the variance (Sobol indices)"});
+void document_indices(const StudySubject& subject, const SobolIndicesResult& result, const Sheet& sheet, Json& json) {
+    sheet.add(Heading{"Shares of the variance (Sobol indices)"});
     put<&SobolIndicesResult::status, &SobolIndicesResult::evaluations, &SobolIndicesResult::rows>(json, result);
     json["rows_left_out"] = result.rows_without;
     if (result.status != SobolIndicesStatus::found) {
-        report.blocks.emplace_back(
-            Notice{NoticeKind::warning,
-                   "No indices",
-                   {result.status == SobolIndicesStatus::no_variance
-                        ? "the quantity is the same at every sample"
-                        : "too few rows of samples have a value. " + evaluations_in_words(result.evaluations)}});
+        sheet.add(Notice{NoticeKind::warning,
+                         "No indices",
+                         {result.status == SobolIndicesStatus::no_variance
+                              ? "the quantity is the same at every sample"
+                              : "too few rows of samples have a value. " + evaluations_in_words(result.evaluations)}});
         return;
     }
-    report.blocks.emplace_back(folder.draw(
-        sobol_indices_figure(subject.quantity, result, subject.names), "sobol_indices",
-        "The share of the variance that would go if the parameter were known, and the share that would stay "
-        "if all others were; the difference is interaction. " +
-            std::to_string(result.rows) +
-            " rows of a Sobol sequence, estimators of Saltelli et al. (2010) "
-            "and Jansen (1999), intervals by bootstrap."));
+    sheet.draw(sobol_indices_figure(subject.quantity, result, subject.names), "sobol_indices",
+               "The share of the variance that would go if the parameter were known, and the share that would stay "
+               "if all others were; the difference is interaction. " +
+                   std::to_string(result.rows) +
+                   " rows of a Sobol sequence, estimators of Saltelli et al. (2010) "
+                   "and Jansen (1999), intervals by bootstrap.");
     Table table{"Sobol indices (95 % interval)", {"parameter", "first order"_number, "total"_number}};
     CsvTable csv({"parameter", "first", "first_lower", "first_upper", "total", "total_lower", "total_upper"});
     double sum = 0;
@@ -280,17 +273,16 @@ void document_indices(const StudySubject& subject, const SobolIndicesResult& res
         sum += first.value;
     }
     table.rows.push_back({"sum", number_in_words(sum), ""});
-    folder.write("sobol_indices.csv", csv.text());
-    report.blocks.emplace_back(std::move(table));
+    sheet.write("sobol_indices.csv", csv.text());
+    sheet.add(std::move(table));
     if (result.rows_without > 0) {
-        report.blocks.emplace_back(Notice{
-            NoticeKind::warning,
-            "Rows left out",
-            {std::to_string(result.rows_without) + " of " + std::to_string(result.rows) +
-             " rows have an evaluation without a value and were left out: the indices are those of the remaining "
-             "part of the space, in which the parameters are no longer quite independent."}});
+        sheet.add(Notice{NoticeKind::warning,
+                         "Rows left out",
+                         {std::to_string(result.rows_without) + " of " + std::to_string(result.rows) +
+                          " rows have an evaluation without a value and were left out: the indices are those of the "
+                          "remaining part of the space, in which the parameters are no longer quite independent."}});
     }
-    report.blocks.emplace_back(Paragraph{evaluations_in_words(result.evaluations)});
+    sheet.add(Paragraph{evaluations_in_words(result.evaluations)});
 }
 
 }  // namespace delabole

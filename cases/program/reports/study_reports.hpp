@@ -32,29 +32,26 @@ Json json_of_fit(const CaseFile& file, const FitResult& result);
 // Writes figures and CSV tables into the folder and appends blocks to the report; the answer is placed before the
 // blocks that it already holds.
 StudyDocuments document_fit(const CaseFile& file, const FitProblem& problem, const FitResult& result,
-                            const ResultFolder& folder, Report& report);
+                            const Sheet& sheet);
 
 // Appends blocks to the report and writes conclusions.csv into the folder. `findings` belong to `conclusions`, in
 // order.
 StudyDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
-                                    const std::vector<ConclusionFinding>& findings, const ResultFolder& folder,
-                                    Report& report);
+                                    const std::vector<ConclusionFinding>& findings, const Sheet& sheet);
 
 // Appends blocks to the report and writes table and figure into the folder. `information` belongs to `candidates`, in
 // order.
 StudyDocuments document_information(const std::vector<FitCandidate>& candidates,
-                                    const std::vector<CandidateInformation>& information, const ResultFolder& folder,
-                                    Report& report);
+                                    const std::vector<CandidateInformation>& information, const Sheet& sheet);
 
 // Appends blocks to the report and writes tables and figures into the folder. `at_best`: the known parameters were
 // those of the best fit.
-StudyDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries, bool at_best,
-                                 const ResultFolder& folder, Report& report);
+StudyDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries, bool at_best, const Sheet& sheet);
 
 // Writes figures and CSV files into the folder and appends blocks to the report. The problem was made from the
 // [sensitivity] section of the case.
 StudyDocuments document_sensitivity(const CaseFile& file, const SensitivityProblem& problem,
-                                    const SensitivityResult& result, const ResultFolder& folder, Report& report);
+                                    const SensitivityResult& result, const Sheet& sheet);
 
 // The quantity whose error is shown, and the source of its accurate value.
 struct TradeTruth {
@@ -66,6 +63,6 @@ struct TradeTruth {
 
 // Writes the figure and trade.csv into the folder and appends blocks to the report.
 StudyDocuments document_trade(const std::vector<TradeParameter>& parameters, const TradeResult& result,
-                              const TradeTruth& truth, const ResultFolder& folder, Report& report);
+                              const TradeTruth& truth, const Sheet& sheet);
 
 }  // namespace delabole

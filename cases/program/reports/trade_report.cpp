@@ -176,8 +176,8 @@ std::vector<std::size_t> all_rows(const TradeResult& result) {
 }  // namespace
 
 StudyDocuments document_trade(const std::vector<TradeParameter>& parameters, const TradeResult& result,
-                              const TradeTruth& truth, const ResultFolder& folder, Report& report) {
-    folder.write("trade.csv", csv_of(truth, parameters, result));
+                              const TradeTruth& truth, const Sheet& sheet) {
+    sheet.write("trade.csv", csv_of(truth, parameters, result));
 
     const Dimension dimension = truth.dimension;
     const std::string quantity = human_name(truth.quantity);
@@ -187,19 +187,18 @@ StudyDocuments document_trade(const std::vector<TradeParameter>& parameters, con
             : "There is nothing to hold the answers against: " + truth.where_from + " was not found.";
     const Table best = settings_table("The most accurate setting of each decade of cost", truth, parameters, result,
                                       best_of_each_decade(result));
-    report.blocks.emplace_back(Heading{"Accuracy against cost"});
-    report.blocks.emplace_back(
-        Paragraph{held_against + " \"At most\" is the distance of the far end of the final bracket, which no luck "
-                                 "makes small. The cost is the number of contact forces computed in the whole search, "
-                                 "the same on every machine; seconds are those of this machine and decide nothing."});
-    report.blocks.emplace_back(best);
-    report.blocks.emplace_back(folder.draw(
-        trade_figure(drawing_of(result, truth)), "trade",
-        "Error against cost: each parameter alone around the case's own settings, several together, and the "
-        "qualities. Settings without an answer are in the table."));
-    report.blocks.emplace_back(settings_table("Settings that none is both cheaper and at least as accurate as", truth,
-                                              parameters, result, front_of(result)));
-    report.blocks.emplace_back(settings_table("All settings", truth, parameters, result, all_rows(result)));
+    sheet.add(Heading{"Accuracy against cost"});
+    sheet.add(Paragraph{held_against +
+                        " \"At most\" is the distance of the far end of the final bracket, which no luck "
+                        "makes small. The cost is the number of contact forces computed in the whole search, "
+                        "the same on every machine; seconds are those of this machine and decide nothing."});
+    sheet.add(best);
+    sheet.draw(trade_figure(drawing_of(result, truth)), "trade",
+               "Error against cost: each parameter alone around the case's own settings, several together, and the "
+               "qualities. Settings without an answer are in the table.");
+    sheet.add(settings_table("Settings that none is both cheaper and at least as accurate as", truth, parameters,
+                             result, front_of(result)));
+    sheet.add(settings_table("All settings", truth, parameters, result, all_rows(result)));
 
     StudyDocuments documents;
     documents.json["quantity"] = truth.quantity;

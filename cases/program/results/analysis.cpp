@@ -236,7 +236,7 @@ HeadCard head_card(const CaseModel& model, const CaseAnswer& answer) {
     return std::visit([&](const auto& study) { return head_card(study, own_answer(study, answer)); }, model);
 }
 
-void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report,
+void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const Sheet& sheet,
                          const InputDeviations& known) {
     std::visit(
         [&](const auto& study) {
@@ -244,9 +244,9 @@ void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const
             using Study = std::remove_cvref_t<decltype(study)>;
             if constexpr (std::is_same_v<Study, PlaneFailureStudy<>> || std::is_same_v<Study, SteppedBaseStudy<>> ||
                           std::is_same_v<Study, WedgeFailureStudy>) {
-                append_case_figures(study, own, folder, report, known);
+                append_case_figures(study, own, sheet, known);
             } else {
-                append_case_figures(study, own, folder, report);
+                append_case_figures(study, own, sheet);
             }
         },
         model);
@@ -259,7 +259,7 @@ std::optional<CaseFigure> first_case_figure(const CaseModel& model, const CaseAn
     const ResultFolder taken([](const Figure& figure, const std::string& caption) { throw Found{{figure, caption}}; });
     Report ignored;
     try {
-        append_case_figures(model, answer, taken, ignored);
+        append_case_figures(model, answer, {taken, ignored});
     } catch (Found& found) {
         return std::move(found.first);
     }

@@ -86,25 +86,19 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
 // Figures and tables of this model alone for the report of `delabole run`; the figure that shows the answer comes
 // first. Some models have none. The answer's check is valid.
 template <class Study, class Answer>
-void append_case_figures(const Study& /*study*/, const Answer& /*answer*/, const ResultFolder& /*folder*/,
-                         Report& /*report*/) {}
-void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const ResultFolder& folder,
-                         Report& report, const InputDeviations& known);
-void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer, const ResultFolder& folder,
-                         Report& report, const InputDeviations& known);
-void append_case_figures(const SingleBlock& problem, const SingleBlockResult& result, const ResultFolder& folder,
-                         Report& report);
-void append_case_figures(const BlockRow& row, const BlockRowResult& result, const ResultFolder& folder, Report& report);
-void append_case_figures(const KinematicsStudy& study, const KinematicsResult& result, const ResultFolder& folder,
-                         Report& report);
-void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& result, const ResultFolder& folder,
-                         Report& report);
-void append_case_figures(const SteppedPath& path, const SteppedPathResult& result, const ResultFolder& folder,
-                         Report& report);
-void append_case_figures(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
-                         Report& report, const InputDeviations& known);
-void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, const ResultFolder& folder,
-                         Report& report);
+void append_case_figures(const Study& /*study*/, const Answer& /*answer*/, const Sheet& /*sheet*/) {}
+void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const Sheet& sheet,
+                         const InputDeviations& known);
+void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer, const Sheet& sheet,
+                         const InputDeviations& known);
+void append_case_figures(const SingleBlock& problem, const SingleBlockResult& result, const Sheet& sheet);
+void append_case_figures(const BlockRow& row, const BlockRowResult& result, const Sheet& sheet);
+void append_case_figures(const KinematicsStudy& study, const KinematicsResult& result, const Sheet& sheet);
+void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& result, const Sheet& sheet);
+void append_case_figures(const SteppedPath& path, const SteppedPathResult& result, const Sheet& sheet);
+void append_case_figures(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer, const Sheet& sheet,
+                         const InputDeviations& known);
+void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, const Sheet& sheet);
 
 template <class Study>
 using AnswerTo = decltype(analyse_case(std::declval<const Study&>()));
@@ -117,7 +111,7 @@ using CaseAnswer = decltype(answers_to(std::declval<const CaseModel&>()));
 CaseAnswer analyse_case(const CaseModel& model, const AnalysisWork& work = {});
 Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer);
 HeadCard head_card(const CaseModel& model, const CaseAnswer& answer);
-void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report,
+void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const Sheet& sheet,
                          const InputDeviations& known = {});
 
 struct CaseFigure {
@@ -131,23 +125,23 @@ std::optional<CaseFigure> first_case_figure(const CaseModel& model, const CaseAn
 // Figures of a mechanism at its best point, for the report of `delabole fit`.
 template <class Study>
 void append_mechanism_figures(const Study& /*at_best*/, const MechanismFit& /*fit*/, const FitProblem& /*problem*/,
-                              const ResultFolder& /*folder*/, Report& /*report*/) {}
+                              const Sheet& /*sheet*/) {}
 void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report);
+                              const Sheet& sheet);
 void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report);
+                              const Sheet& sheet);
 void append_mechanism_figures(const SingleBlock& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report);
+                              const Sheet& sheet);
 void append_mechanism_figures(const BlockRow& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report);
+                              const Sheet& sheet);
 void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report);
+                              const Sheet& sheet);
 void append_mechanism_figures(const FlexuralSlope& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report);
+                              const Sheet& sheet);
 void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report);
+                              const Sheet& sheet);
 void append_mechanism_figures(const WedgeFailureStudy& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report);
+                              const Sheet& sheet);
 
 // The reason why a case has no answer.
 struct Impossibility {

@@ -179,6 +179,18 @@ class ResultFolder {
     mutable std::set<std::string> written_ = {};
 };
 
+// A report under way, and the folder of its figures and tables.
+struct Sheet {
+    const ResultFolder& folder;
+    Report& report;
+
+    void add(ReportBlock block) const { report.add(std::move(block)); }
+    void draw(const Figure& figure, const std::string& name, const std::string& caption) const {
+        add(folder.draw(figure, name, caption));
+    }
+    void write(const std::string& name, std::string_view text) const { folder.write(name, text); }
+};
+
 // Columns for a terminal, the first aligned to the left, the others to the right.
 std::string text_table(const std::vector<std::vector<std::string>>& rows);
 

@@ -47,8 +47,8 @@ void append_inputs(const CaseFile& file, Report& report) {
              is_metric ? readable_quantity(input.value, input.dimension) : in_six_digits(input.value, input.dimension),
              input.meaning, source == file.sources.end() ? "" : source->second});
     }
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(std::move(table));
+    report.add(Heading{"Inputs"});
+    report.add(std::move(table));
 }
 
 Table evidence_table(const FitProblem& problem) {
@@ -87,7 +87,7 @@ void say_left_out(const std::vector<std::string>& names, const std::string& and_
             "Left out: " + list_in_words(names) + ". Every prediction is a run of dynamic relaxation" + and_so;
         json["left_out"] = names;
         screen += sentence + "\n";
-        report.blocks.emplace_back(Paragraph{sentence});
+        report.add(Paragraph{sentence});
     }
 }
 
@@ -98,13 +98,12 @@ std::string written_where(const ResultFolder& folder, const Options& options) {
 
 void add_reservation(const std::string& reserved, bool interrupted, Report& report) {
     if (!reserved.empty()) {
-        report.blocks.emplace_back(
-            Notice{NoticeKind::warning, interrupted ? "Interrupted" : "Not converged", {reserved}});
+        report.add(Notice{NoticeKind::warning, interrupted ? "Interrupted" : "Not converged", {reserved}});
     }
 }
 
 ExitCode write_study(const StudyOutput& output, const ResultFolder& folder, const Options& options, Report& report) {
-    report.blocks.emplace_back(Folded{"Provenance", {provenance_block(output.json["provenance"])}});
+    report.add(Folded{"Provenance", {provenance_block(output.json["provenance"])}});
     folder.write("resolved.toml", resolved_toml(output.file));
     folder.write_report(report);
     folder.write("result.json", json_text(output.json));

@@ -187,18 +187,17 @@ void add_to_head(const DesignedSupport& support, HeadCard& head) {
     head.sentences.resize(std::min(head.sentences.size(), most_sentences));
 }
 
-Json document_support(const DesignedSupport& support, const ResultFolder& folder, Report& report) {
+Json document_support(const DesignedSupport& support, const Sheet& sheet) {
     const SupportDesignResult& found = support.found;
     const TriedSupport* answer = answer_of(found);
-    report.blocks.emplace_back(Heading{"Support"});
-    report.blocks.emplace_back(Paragraph{support.sentence});
+    sheet.add(Heading{"Support"});
+    sheet.add(Paragraph{support.sentence});
     if (answer != nullptr) {
-        report.blocks.emplace_back(
-            folder.draw(cost_figure(support, *answer), "support",
-                        "Patterns in the order of their cost, up to the first that gives the factor of safety; "
-                        "support.csv has each."));
+        sheet.draw(cost_figure(support, *answer), "support",
+                   "Patterns in the order of their cost, up to the first that gives the factor of safety; "
+                   "support.csv has each.");
     }
-    folder.write("support.csv", support_csv(support));
+    sheet.write("support.csv", support_csv(support));
     Json json;
     json["status"] = found.cheapest ? "found" : answer != nullptr ? "never_reached" : "no_answer";
     json["patterns"] = found.patterns;
@@ -209,7 +208,7 @@ Json document_support(const DesignedSupport& support, const ResultFolder& folder
             table.rows.push_back({human_name(cause), std::to_string(count)});
             json["failed_patterns"][cause] = count;
         }
-        report.blocks.emplace_back(std::move(table));
+        sheet.add(std::move(table));
     }
     if (answer == nullptr) {
         return json;

@@ -25,6 +25,6 @@ std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::func
 void add_to_head(const DesignedSupport& support, HeadCard& head);
 
 // Adds the figure and support.csv, and returns the result for result.json.
-Json document_support(const DesignedSupport& support, const ResultFolder& folder, Report& report);
+Json document_support(const DesignedSupport& support, const Sheet& sheet);
 
 }  // namespace delabole

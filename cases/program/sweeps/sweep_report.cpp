@@ -263,17 +263,17 @@ std::string name_of_figure(const SweepRun& run, const SweptFigure& data) {
     return run.sweep.name + "_" + number;
 }
 
-void document_figure(const SweepRun& run, const SweptFigure& data, const ResultFolder& folder, Report& report) {
+void document_figure(const SweepRun& run, const SweptFigure& data, const Sheet& sheet) {
     const CaseSweep& sweep = run.sweep;
     const bool is_map = sweep.vary.size() > 1 && sweep.vary[1].values.size() > most_curves &&
                         sweep.vary[0].equally_spaced() && sweep.vary[1].equally_spaced();
     if (sweep.vary.size() == 1 && sweep.vary.front().values.size() <= most_rows) {
-        report.blocks.emplace_back(curves_table(title_of(sweep, data.each), sweep.vary.front(), data.curves));
+        sheet.add(curves_table(title_of(sweep, data.each), sweep.vary.front(), data.curves));
     }
     int number = 0;
     const auto draw = [&](const Figure& figure) {
         const std::string part = ++number > 1 ? "_" + std::to_string(number) : "";
-        report.blocks.emplace_back(folder.draw(figure, name_of_figure(run, data) + part, sweep.caption));
+        sheet.draw(figure, name_of_figure(run, data) + part, sweep.caption);
     };
     for (const Places& group : curves_by_dimension(data)) {
         if (!is_map) {
@@ -286,16 +286,16 @@ void document_figure(const SweepRun& run, const SweptFigure& data, const ResultF
     }
 }
 
-void document_crossings(const SweepRun& run, const ResultFolder& folder, Report& report) {
+void document_crossings(const SweepRun& run, const Sheet& sheet) {
     const CaseSweep& sweep = run.sweep;
     const std::vector<SweptCurve> curves = crossing_curves(run);
     SweepRun crossings;
     crossings.sweep.vary = {*sweep.each};
     crossings.figures.push_back({std::nullopt, curves, {}});
-    folder.write(sweep.name + "_crossings.csv", sweep_csv(crossings));
+    sheet.write(sweep.name + "_crossings.csv", sweep_csv(crossings));
     const std::string title = "Where curves cross: " + human_name(sweep.vary.front().input);
     if (sweep.each->values.size() <= most_rows) {
-        report.blocks.emplace_back(curves_table(title, *sweep.each, curves));
+        sheet.add(curves_table(title, *sweep.each, curves));
     }
     if (sweep.draw == SweepDrawing::crossings || sweep.each->values.size() > 2) {
         Figure figure{.title = sweep.draw == SweepDrawing::crossings ? sweep.title : title,
@@ -309,27 +309,26 @@ void document_crossings(const SweepRun& run, const ResultFolder& folder, Report&
         if (sweep.draw == SweepDrawing::crossings) {
             add_printed_points(sweep, figure);
         }
-        report.blocks.emplace_back(folder.draw(
-            figure, sweep.draw == SweepDrawing::crossings ? sweep.name : sweep.name + "_crossings", sweep.caption));
+        sheet.draw(figure, sweep.draw == SweepDrawing::crossings ? sweep.name : sweep.name + "_crossings",
+                   sweep.caption);
     }
 }
 
 }  // namespace
 
-void document_sweep(const SweepRun& run, const ResultFolder& folder, Report& report) {
-    folder.write(run.sweep.name + ".csv", sweep_csv(run));
+void document_sweep(const SweepRun& run, const Sheet& sheet) {
+    sheet.write(run.sweep.name + ".csv", sweep_csv(run));
     if (run.sweep.draw != SweepDrawing::crossings) {
         for (const SweptFigure& figure : run.figures) {
-            document_figure(run, figure, folder, report);
+            document_figure(run, figure, sheet);
         }
     }
     if (run.sweep.each && !run.sweep.crossings.empty()) {
-        document_crossings(run, folder, report);
+        document_crossings(run, sheet);
     }
 }
 
-std::vector<Comparison> document_sweeps(const CaseFile& file, const SweepWork& work, const ResultFolder& folder,
-                                        Report& report) {
+std::vector<Comparison> document_sweeps(const CaseFile& file, const SweepWork& work, const Sheet& sheet) {
     std::vector<Comparison> rows;
     for (std::size_t index = 0; index < file.sweeps.size(); ++index) {
         SweepWork one = work;
@@ -339,7 +338,7 @@ std::vector<Comparison> document_sweeps(const CaseFile& file, const SweepWork& w
             };
         }
         const SweepRun run = run_sweep(file, file.sweeps[index], one);
-        document_sweep(run, folder, report);
+        document_sweep(run, sheet);
         std::ranges::move(compare_sweep(run), std::back_inserter(rows));
     }
     return rows;

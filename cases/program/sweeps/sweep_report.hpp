@@ -8,11 +8,10 @@ namespace delabole {
 
 // Draws into the folder, writes <name>.csv and appends to the report: a table if there are few values, one figure for
 // each value of `each`, and one of the crossings over these values.
-void document_sweep(const SweepRun& run, const ResultFolder& folder, Report& report);
+void document_sweep(const SweepRun& run, const Sheet& sheet);
 
 // Documents all sweeps of a case and returns the comparisons with printed values.
-std::vector<Comparison> document_sweeps(const CaseFile& file, const SweepWork& work, const ResultFolder& folder,
-                                        Report& report);
+std::vector<Comparison> document_sweeps(const CaseFile& file, const SweepWork& work, const Sheet& sheet);
 
 // The points of a run, one object each: inputs and outputs with their units, as in its CSV file.
 Json json_of(const SweepRun& run);

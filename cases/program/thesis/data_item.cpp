@@ -32,11 +32,10 @@ PrintedRow printed_row_of(const Comparison& comparison) {
             printed ? comparison.difference : "", remark};
 }
 
-void reproduce_data(const CaseFile& file, const std::string& place, const ResultFolder& folder, Report& report,
-                    Reproduction& result) {
-    report.blocks.emplace_back(Heading{file.title});
+void reproduce_data(const CaseFile& file, const std::string& place, const Sheet& sheet, Reproduction& result) {
+    sheet.add(Heading{file.title});
     if (!file.description.empty()) {
-        report.blocks.emplace_back(Paragraph{file.description});
+        sheet.add(Paragraph{file.description});
     }
     // Figures are placed below the table of printed values.
     Report drawn;
@@ -45,28 +44,28 @@ void reproduce_data(const CaseFile& file, const std::string& place, const Result
         const AnalysisWork work{.watch = [](double, const std::string&, bool) { return !interrupt_flag(); }};
         const CaseAnswer answer = analyse_case(file.model, work);
         stop_if_interrupted();
-        folder.name_figures(place + ": ");
-        append_case_figures(file.model, answer, folder, drawn);
-        folder.name_figures("");
+        sheet.folder.name_figures(place + ": ");
+        append_case_figures(file.model, answer, {sheet.folder, drawn});
+        sheet.folder.name_figures("");
     }
-    std::ranges::move(document_sweeps(file, {.threads = folder.threads()}, folder, drawn),
+    std::ranges::move(document_sweeps(file, {.threads = sheet.folder.threads()}, {sheet.folder, drawn}),
                       std::back_inserter(comparisons));
     std::vector<PrintedRow> rows;
     std::ranges::transform(comparisons, std::back_inserter(rows), printed_row_of);
     if (!rows.empty()) {
-        report.blocks.emplace_back(printed_table("Printed and computed", rows));
+        sheet.add(printed_table("Printed and computed", rows));
     }
-    std::ranges::move(drawn.blocks, std::back_inserter(report.blocks));
+    std::ranges::move(drawn.blocks, std::back_inserter(sheet.report.blocks));
     std::ranges::move(rows, std::back_inserter(result.rows));
 }
 
 }  // namespace
 
 Reproduction reproduce_cases(const std::string& folder, const std::vector<std::string>& cases, const std::string& place,
-                             const ResultFolder& results, Report& report) {
+                             const Sheet& sheet) {
     Reproduction result;
     for (const std::string& one : cases) {
-        reproduce_data(built_in_case(folder, one), place, results, report, result);
+        reproduce_data(built_in_case(folder, one), place, sheet, result);
         result.json["cases"].push_back(folder + "/" + one + ".toml");
     }
     return result;
@@ -74,8 +73,8 @@ Reproduction reproduce_cases(const std::string& folder, const std::vector<std::s
 
 ReproductionItem data_item(const std::string& name, const std::string& place, const std::string& meaning,
                            const std::string& folder, const std::vector<std::string>& cases, ReproductionCost cost) {
-    const auto reproduce = [folder, cases, place](const ResultFolder& results, Report& report) {
-        return reproduce_cases(folder, cases, place, results, report);
+    const auto reproduce = [folder, cases, place](const Sheet& sheet) {
+        return reproduce_cases(folder, cases, place, sheet);
     };
     return {name, place, meaning, reproduce, cost};
 }

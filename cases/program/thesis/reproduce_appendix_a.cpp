@@ -94,7 +94,7 @@ ThesisProgram run_thesis_program() {
     return program;
 }
 
-Reproduction reproduce_thesis_program(const ResultFolder&, Report& report) {
+Reproduction reproduce_thesis_program(const Sheet& sheet) {
     const ThesisProgram program = run_thesis_program();
     const double angle = std::atan(program.friction);
     const BlockColumns<> columns = appendix_a_columns();
@@ -111,17 +111,16 @@ Reproduction reproduce_thesis_program(const ResultFolder&, Report& report) {
         {"heights beside the crack against dx cot(alpha)", "y* < dx cot(alpha) < y**",
          number_in_words(above) + " < " + number_in_words(toppling_height) + " < " + number_in_words(below), "",
          statement(above < toppling_height && toppling_height < below)});
-    report.blocks.emplace_back(Heading{"Appendix A: program CAL"});
-    report.blocks.emplace_back(
-        printed_table("Printed in Appendix A, and computed by its algorithm", reproduction.rows));
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(Heading{"Appendix A: program CAL"});
+    sheet.add(printed_table("Printed in Appendix A, and computed by its algorithm", reproduction.rows));
+    sheet.add(Paragraph{
         "Equation (20) cannot be used as it stands, as far as the copy at hand can be read: its terms form a chain "
         "of equalities with quotient bars in the wrong places, and the weight has an exponent 2 where a "
         "factor 1/2 belongs. Moments about the toe corner of the base, P(n) being the force of column n + 1 "
         "on column n, at height Z(n), and P(n-1) that on column n - 1, at height Z'(n) above the base of "
         "column n, give P(n) [Z(n) - mu dx] = P(n-1) Z'(n) + W(n) (dx cos(alpha) - Y(n) sin(alpha)) / 2, "
         "which is what program CAL computes. Equation (21) agrees with the derivation."});
-    report.blocks.emplace_back(
+    sheet.add(
         Paragraph{"The program goes up from the toe and takes the lesser of both forces; the analysis here goes down "
                   "from the top and takes the greater of what each column needs. In limiting equilibrium both are the "
                   "same set of forces. The program presumes where the tension crack is (the first column behind the "

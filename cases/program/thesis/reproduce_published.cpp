@@ -202,14 +202,13 @@ Figure factor_figure(const std::vector<Problem>& problems) {
     return figure;
 }
 
-void append_mechanism(const ResultFolder& folder, Report& report, const Problem& problem, const PathValue& answer) {
+void append_mechanism(const Sheet& sheet, const Problem& problem, const PathValue& answer) {
     if (answer.failed && answer.failed->end) {
         const std::string path(word_of(answer.path));
-        report.blocks.emplace_back(folder.draw(
-            mechanism_figure(*answer.failed, problem.published.problem + ", path " + path + ", failing at " +
-                                                 in_digits(answer.fails, problem.dimension(), 4)),
-            problem.published.name + (problem.answer.other.empty() ? "" : '_' + path),
-            problem.file.title + ", path " + path + ". " + problem.file.description));
+        sheet.draw(mechanism_figure(*answer.failed, problem.published.problem + ", path " + path + ", failing at " +
+                                                        in_digits(answer.fails, problem.dimension(), 4)),
+                   problem.published.name + (problem.answer.other.empty() ? "" : '_' + path),
+                   problem.file.title + ", path " + path + ". " + problem.file.description);
     }
 }
 
@@ -235,23 +234,22 @@ PrintedRow printed_row(const Problem& problem) {
     return {problem.file.title, printed, found_in_words(problem, problem.answer), "", verdict(problem)};
 }
 
-Reproduction reproduce_factors(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_factors(const Sheet& sheet) {
     std::vector<Problem> problems;
     for (const PublishedFactors& row : rows_of<PublishedFactors>()) {
         CaseFile file = built_in_case("published", row.name);
         problems.push_back({.published = row, .file = std::move(file)});
     }
-    run_part(folder, {"published problems", 0, 0.9}, problems.size(),
+    run_part(sheet.folder, {"published problems", 0, 0.9}, problems.size(),
              [&](std::size_t index) { solve(problems[index]); });
-    report.blocks.emplace_back(Heading{"Published problems of jointed slopes"});
-    report.blocks.emplace_back(factor_table(problems));
-    report.blocks.emplace_back(
-        folder.draw(factor_figure(problems), "published_factors", "Values of other codes over those computed here."));
+    sheet.add(Heading{"Published problems of jointed slopes"});
+    sheet.add(factor_table(problems));
+    sheet.draw(factor_figure(problems), "published_factors", "Values of other codes over those computed here.");
     Reproduction result;
     for (const Problem& problem : problems) {
-        append_mechanism(folder, report, problem, problem.answer);
+        append_mechanism(sheet, problem, problem.answer);
         for (const PathValue& other : problem.answer.other) {
-            append_mechanism(folder, report, problem, other);
+            append_mechanism(sheet, problem, other);
         }
         result.rows.push_back(printed_row(problem));
         result.json["problems"].push_back(json_of(problem));

@@ -60,7 +60,7 @@ struct ReproductionItem {
     std::string place;    // section, figure or table of the thesis
     std::string meaning;  // one line
     // Appends to the report, writes figures and tables into the folder.
-    std::function<Reproduction(const ResultFolder&, Report&)> reproduce;
+    std::function<Reproduction(const Sheet&)> reproduce;
     ReproductionCost cost = ReproductionCost::seconds;
 };
 
@@ -115,7 +115,7 @@ std::string in_words(const RowCounts& counts);
 // order of the report. Figures of `delabole run` do not know what they stand for: their titles begin with `place`,
 // "Fig 4.1".
 Reproduction reproduce_cases(const std::string& folder, const std::vector<std::string>& cases, const std::string& place,
-                             const ResultFolder& results, Report& report);
+                             const Sheet& sheet);
 
 // An item that is data alone.
 ReproductionItem data_item(const std::string& name, const std::string& place, const std::string& meaning,

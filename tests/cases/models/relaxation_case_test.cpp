@@ -307,7 +307,7 @@ TEST(RelaxationCase, DrawsWhatAHistoryHasAndNothingEmpty) {
     options.out = path.string();
     options.quiet = true;
     Report report;
-    append_case_figures(file.model, analyse_case(file.model), ResultFolder(options, "case", OnInterrupt::stop), report);
+    append_case_figures(file.model, analyse_case(file.model), {{options, "case", OnInterrupt::stop}, report});
     const auto script = [&](const std::string& name) {
         std::ifstream stream(path / "figures" / (name + ".gp"));
         return std::string(std::istreambuf_iterator<char>(stream), {});

@@ -24,7 +24,7 @@ Drawn tornado_of(const std::string& name) {
         }
     });
     Report ignored;
-    append_case_figures(file.model, analyse_case(file.model), folder, ignored, deviations_of(file));
+    append_case_figures(file.model, analyse_case(file.model), {folder, ignored}, deviations_of(file));
     return last;
 }
 

@@ -31,7 +31,7 @@ class ReproductionTest : public ::testing::Test {
         options.quiet = true;
         const ResultFolder folder(options, name, OnInterrupt::stop);
         Report report;
-        return item->reproduce(folder, report);
+        return item->reproduce({folder, report});
     }
 
     const std::filesystem::path& path() const { return path_; }

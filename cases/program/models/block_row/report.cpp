@@ -205,49 +205,46 @@ HeadCard head_card(const BlockRow&, const BlockRowResult& result) {
     return head;
 }
 
-void append_case_figures(const BlockRow& row, const BlockRowResult& result, const ResultFolder& folder,
-                         Report& report) {
+void append_case_figures(const BlockRow& row, const BlockRowResult& result, const Sheet& sheet) {
     const std::string roles = mode_in_words(result.answer.mode);
     if (result.answer.search == RowSearchKind::upper_bound) {
-        report.blocks.emplace_back(Paragraph{
+        sheet.add(Paragraph{
             "No mode is admissible, and so there are no forces to show. The tilt is the bound by linear programming: "
             "the greatest at which contact forces within Coulomb's cones keep every block in equilibrium."});
     } else if (row.block.size() <= most_drawn_blocks) {
-        report.blocks.emplace_back(folder.draw(
-            block_figure(
-                row_drawing(row, result.answer.mode, result.answer.critical_tilt, result.block,
-                            "Mode " + roles + " at " + value_in_words(result.answer.critical_tilt, Dimension::angle))),
-            "mode", "The blocks at the tilt at which the governing mode begins, with the forces at that moment."));
+        sheet.draw(block_figure(row_drawing(
+                       row, result.answer.mode, result.answer.critical_tilt, result.block,
+                       "Mode " + roles + " at " + value_in_words(result.answer.critical_tilt, Dimension::angle))),
+                   "mode",
+                   "The blocks at the tilt at which the governing mode begins, with the forces at that moment.");
     } else {
-        report.blocks.emplace_back(Paragraph{"There are " + std::to_string(row.block.size()) +
-                                             " blocks, too many to be told apart in a drawing."});
+        sheet.add(Paragraph{"There are " + std::to_string(row.block.size()) +
+                            " blocks, too many to be told apart in a drawing."});
     }
     if (!result.block.empty()) {
-        report.blocks.emplace_back(Heading{"The row in its governing mode"});
-        report.blocks.emplace_back(block_table(result));
+        sheet.add(Heading{"The row in its governing mode"});
+        sheet.add(block_table(result));
     }
-    report.blocks.emplace_back(Heading{"Every mode"});
-    report.blocks.emplace_back(
+    sheet.add(Heading{"Every mode"});
+    sheet.add(
         Paragraph{"A mode gives every block a letter, from the lowest up: S slides; F, P and B turn forward about the "
                   "toe, which slides forward (F), does not slide (P) or slides backward (B); = adheres to the block "
                   "below and turns with it; 0 stands; R is pushed back up the plane. The governing mode is the "
                   "admissible one that begins at the least tilt: nothing presses the blocks together. Blocks that are "
                   "pressed together may stand up to the tilt given for contact, and no further."});
-    report.blocks.emplace_back(mode_table(result.mode));
-    folder.write("modes.csv", modes_csv(result.mode));
-    folder.write("blocks.csv", blocks_csv(result));
+    sheet.add(mode_table(result.mode));
+    sheet.write("modes.csv", modes_csv(result.mode));
+    sheet.write("blocks.csv", blocks_csv(result));
 }
 
-void append_mechanism_figures(const BlockRow& at_best, const MechanismFit& fit, const FitProblem&,
-                              const ResultFolder& folder, Report& report) {
+void append_mechanism_figures(const BlockRow& at_best, const MechanismFit& fit, const FitProblem&, const Sheet& sheet) {
     const BlockRowResult result = analyse(at_best);
     if (result.check != BlockRowCheck::valid || result.block.empty() || at_best.block.size() > most_drawn_blocks) {
         return;
     }
-    report.blocks.emplace_back(
-        folder.draw(block_figure(row_drawing(at_best, result.answer.mode, result.answer.critical_tilt, result.block,
-                                             "Mode " + mode_in_words(result.answer.mode))),
-                    fit.name + "_mode", "The governing mode at the best point."));
+    sheet.draw(block_figure(row_drawing(at_best, result.answer.mode, result.answer.critical_tilt, result.block,
+                                        "Mode " + mode_in_words(result.answer.mode))),
+               fit.name + "_mode", "The governing mode at the best point.");
 }
 
 Impossibility impossibility(const BlockRow& row, std::string_view failure) {

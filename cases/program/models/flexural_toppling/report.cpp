@@ -76,21 +76,19 @@ HeadCard head_card(const FlexuralSlope&, const FlexuralStability& result) {
     return head;
 }
 
-void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& result, const ResultFolder& folder,
-                         Report& report) {
-    report.blocks.emplace_back(Heading{"The columns"});
-    report.blocks.emplace_back(column_table(result));
-    report.blocks.emplace_back(folder.draw(columns_figure(slope, result), "columns",
-                                           "Arrows: the push that a column needs from the one below it, which in turn "
-                                           "bears it; the lowest is what the slope lacks."));
+void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& result, const Sheet& sheet) {
+    sheet.add(Heading{"The columns"});
+    sheet.add(column_table(result));
+    sheet.draw(columns_figure(slope, result), "columns",
+               "Arrows: the push that a column needs from the one below it, which in turn "
+               "bears it; the lowest is what the slope lacks.");
 }
 
 void append_mechanism_figures(const FlexuralSlope& at_best, const MechanismFit& fit, const FitProblem&,
-                              const ResultFolder& folder, Report& report) {
+                              const Sheet& sheet) {
     const FlexuralStability result = analyse(at_best);
     if (result.check == FlexuralCheck::valid) {
-        report.blocks.emplace_back(
-            folder.draw(columns_figure(at_best, result), fit.name + "_columns", "The columns at the best point."));
+        sheet.draw(columns_figure(at_best, result), fit.name + "_columns", "The columns at the best point.");
     }
 }
 

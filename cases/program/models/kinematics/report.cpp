@@ -340,27 +340,26 @@ std::string sets_to_paste(const KinematicsResult& result) {
 }
 
 void append_measured(const Kinematics& model, const KinematicsResult& result, const StereonetDrawing& drawing,
-                     const ResultFolder& folder, Report& report) {
-    report.blocks.emplace_back(Heading{"Measured poles"});
-    report.blocks.emplace_back(count_table(*result.poles, model.strength.friction_angle));
-    report.blocks.emplace_back(statistics_table(result));
+                     const Sheet& sheet) {
+    sheet.add(Heading{"Measured poles"});
+    sheet.add(count_table(*result.poles, model.strength.friction_angle));
+    sheet.add(statistics_table(result));
     if (!result.information_criterion.empty()) {
-        report.blocks.emplace_back(number_of_sets_table(result));
+        sheet.add(number_of_sets_table(result));
     }
-    report.blocks.emplace_back(
-        folder.draw(kamb_figure(drawing), "stereonet_kamb",
-                    "Contours of the measured poles after Kamb: densities that uniform poles would hardly give."));
+    sheet.draw(kamb_figure(drawing), "stereonet_kamb",
+               "Contours of the measured poles after Kamb: densities that uniform poles would hardly give.");
     std::vector<Orientation> planes = drawing.without_set;
     std::vector<double> weights = drawing.weights_without_set;
     for (const DrawnJointSet& set : drawing.joint_set) {
         planes.insert(planes.end(), set.planes.begin(), set.planes.end());
         weights.insert(weights.end(), set.weights.begin(), set.weights.end());
     }
-    report.blocks.emplace_back(folder.draw(rosette_figure("Rosette of strikes", planes, weights), "rosette",
-                                           "Strikes of the measured planes in classes of 10°; areas are proportional "
-                                           "to their number, weighted where a scanline is given."));
-    folder.write("sets_to_paste.toml", sets_to_paste(result));
-    folder.write("poles.csv", poles_csv(model, result));
+    sheet.draw(rosette_figure("Rosette of strikes", planes, weights), "rosette",
+               "Strikes of the measured planes in classes of 10°; areas are proportional "
+               "to their number, weighted where a scanline is given.");
+    sheet.write("sets_to_paste.toml", sets_to_paste(result));
+    sheet.write("poles.csv", poles_csv(model, result));
 }
 
 }  // namespace
@@ -403,47 +402,44 @@ HeadCard head_card(const KinematicsStudy&, const KinematicsResult& result) {
     return head;
 }
 
-void append_case_figures(const KinematicsStudy& study, const KinematicsResult& result, const ResultFolder& folder,
-                         Report& report) {
+void append_case_figures(const KinematicsStudy& study, const KinematicsResult& result, const Sheet& sheet) {
     const StereonetDrawing drawing = stereonet_drawing(study.model, result);
     const std::string ground = study.model.slope.upper_surface
                                    ? " The zones are drawn for level ground behind the crest; the verdicts below know "
                                      "the ground that the case gives."
                                    : "";
-    report.blocks.emplace_back(
-        folder.draw(pole_figure(drawing), "stereonet_poles",
-                    "Poles of the joint sets, their means and the zones in which a pole slides or topples. " +
-                        std::string(result.poles ? "The poles are measured; shares of pairs are of planes drawn from "
-                                                   "both sets independently of each other."
-                                                 : "The poles are not measurements: they are sampled from what the "
-                                                   "case says of each set, every set independently of the others.") +
-                        ground));
-    report.blocks.emplace_back(Heading{"Mean planes and zones"});
-    report.blocks.emplace_back(folder.draw(plane_figure(drawing), "stereonet_planes",
-                                           "Mean planes and the lines along which they meet, numbered as the pairs in "
-                                           "the tables, with the zones of wedges and toppling columns." +
-                                               ground));
-    report.blocks.emplace_back(zone_table(study.model));
+    sheet.draw(pole_figure(drawing), "stereonet_poles",
+               "Poles of the joint sets, their means and the zones in which a pole slides or topples. " +
+                   std::string(result.poles ? "The poles are measured; shares of pairs are of planes drawn from "
+                                              "both sets independently of each other."
+                                            : "The poles are not measurements: they are sampled from what the "
+                                              "case says of each set, every set independently of the others.") +
+                   ground);
+    sheet.add(Heading{"Mean planes and zones"});
+    sheet.draw(plane_figure(drawing), "stereonet_planes",
+               "Mean planes and the lines along which they meet, numbered as the pairs in "
+               "the tables, with the zones of wedges and toppling columns." +
+                   ground);
+    sheet.add(zone_table(study.model));
     if (result.poles) {
-        append_measured(study.model, result, drawing, folder, report);
+        append_measured(study.model, result, drawing, sheet);
     }
-    report.blocks.emplace_back(Heading{"Joint sets"});
-    report.blocks.emplace_back(set_table(result));
-    report.blocks.emplace_back(
+    sheet.add(Heading{"Joint sets"});
+    sheet.add(set_table(result));
+    sheet.add(
         Paragraph{"A slope cut by these sets, to be run in motion, is written by: delabole init jointed_slope --sets " +
-                  in_shell(folder.path().string()) + " --out my_slope.toml"});
-    report.blocks.emplace_back(
-        mechanism_table(result, "Sliding on a plane of one set", &JointSetFeasibility::planar_sliding));
-    report.blocks.emplace_back(
+                  in_shell(sheet.folder.path().string()) + " --out my_slope.toml"});
+    sheet.add(mechanism_table(result, "Sliding on a plane of one set", &JointSetFeasibility::planar_sliding));
+    sheet.add(
         mechanism_table(result, "Flexural toppling of the layers of one set", &JointSetFeasibility::flexural_toppling));
-    report.blocks.emplace_back(base_table(result));
-    folder.write("joint_sets.csv", sets_csv(result));
+    sheet.add(base_table(result));
+    sheet.write("joint_sets.csv", sets_csv(result));
     if (!result.pair.empty()) {
-        report.blocks.emplace_back(Heading{"Pairs of joint sets"});
-        report.blocks.emplace_back(wedge_table(result));
-        report.blocks.emplace_back(direct_toppling_table(result));
+        sheet.add(Heading{"Pairs of joint sets"});
+        sheet.add(wedge_table(result));
+        sheet.add(direct_toppling_table(result));
     }
-    folder.write("pairs.csv", pairs_csv(result));
+    sheet.write("pairs.csv", pairs_csv(result));
 }
 
 Impossibility impossibility(const KinematicsStudy&, std::string_view failure) {

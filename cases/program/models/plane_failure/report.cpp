@@ -174,8 +174,8 @@ HeadCard head_card(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& a
     return head;
 }
 
-void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const ResultFolder& folder,
-                         Report& report, const InputDeviations& known) {
+void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const Sheet& sheet,
+                         const InputDeviations& known) {
     const PlaneFailure<>& problem = answer.resolved.problem;
     SectionDrawing section = section_drawing(problem, "");
     std::vector<std::string> drawn{"Slope", "failure plane"};
@@ -187,43 +187,42 @@ void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAns
     }
     section.title = list_in_words(drawn);
     annotate(problem, answer.result, section);
-    report.blocks.emplace_back(folder.draw(section_figure(section), "section",
-                                           std::string("The slope and what slides. Lengths of arrows") +
-                                               (section.water_pressure.empty() ? "" : " and water pressures") +
-                                               " are not to scale."));
+    sheet.draw(section_figure(section), "section",
+               std::string("The slope and what slides. Lengths of arrows") +
+                   (section.water_pressure.empty() ? "" : " and water pressures") + " are not to scale.");
     if (const auto critical = critical_plane_drawing(study, answer.resolved)) {
-        report.blocks.emplace_back(folder.draw(critical_figure(*critical), "critical_plane",
-                                               "Least factor of safety for each dip of the failure plane."));
+        sheet.draw(critical_figure(*critical), "critical_plane",
+                   "Least factor of safety for each dip of the failure plane.");
     }
-    report.blocks.emplace_back(Heading{"Water and strength"});
+    sheet.add(Heading{"Water and strength"});
     if (const auto curves = water_depth_curves(problem)) {
-        report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curves), "water",
-                                               "Factor of safety against the filled ratio of the water level."));
+        sheet.draw(factor_of_safety_against_water(*curves), "water",
+                   "Factor of safety against the filled ratio of the water level.");
     }
-    report.blocks.emplace_back(folder.draw(failure_locus_figure(failure_loci(problem)), "failure_loci",
-                                           "Pairs of friction angle and cohesion at which the slope just fails."));
+    sheet.draw(failure_locus_figure(failure_loci(problem)), "failure_loci",
+               "Pairs of friction angle and cohesion at which the slope just fails.");
     const SensitivityResult derivatives = sensitivities(problem);
     CsvTable csv({"input", "value", "unit", "derivative_per_unit"});
-    report.blocks.emplace_back(Heading{"Sensitivity"});
-    report.blocks.emplace_back(folder.draw(
+    sheet.add(Heading{"Sensitivity"});
+    sheet.draw(
         tornado_figure("Change of the factor of safety", sensitivity_bars(problem, derivatives, known)), "sensitivity",
         "Each input changed by itself, by the step that stands beside it; to first order, from exact derivatives. The "
         "eight greatest." +
-            deviations_in_words(known)));
-    report.blocks.emplace_back(sensitivity_table(derivatives, csv));
-    folder.write("sensitivities.csv", csv.text());
+            deviations_in_words(known));
+    sheet.add(sensitivity_table(derivatives, csv));
+    sheet.write("sensitivities.csv", csv.text());
 }
 
 // Section, loci and sensitivities at the best point.
 void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report) {
+                              const Sheet& sheet) {
     const PlaneFailureStudy<> best{resolve(at_best).problem, std::nullopt, {}};
     const PlaneFailure<>& slope = best.model;
     const PlaneFailureAnswer answer = analyse_case(best);
     const std::vector<std::string> warnings =
         failure_in(answer).empty() ? named_outputs(best, answer).warnings : std::vector<std::string>{};
     if (!warnings.empty()) {
-        report.blocks.emplace_back(Notice{NoticeKind::warning, "The mass at the best point", warnings});
+        sheet.add(Notice{NoticeKind::warning, "The mass at the best point", warnings});
     }
     SectionDrawing section =
         section_drawing(slope, problem.profile ? "Observed and predicted profile" : "The slope at the best point");
@@ -231,27 +230,24 @@ void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const Mechanis
     if (problem.profile) {
         section.observed_profile = problem.profile->profile;
     }
-    report.blocks.emplace_back(folder.draw(section_figure(section), fit.name + "_section",
-                                           std::string("Section before the failure and the profile left standing, ") +
-                                               (problem.profile ? "as observed and as " : "") +
-                                               "predicted at the best point" +
-                                               (section.water_pressure.empty() ? "." : ", with water pressures.")));
+    sheet.draw(section_figure(section), fit.name + "_section",
+               std::string("Section before the failure and the profile left standing, ") +
+                   (problem.profile ? "as observed and as " : "") + "predicted at the best point" +
+                   (section.water_pressure.empty() ? "." : ", with water pressures."));
     FailureLoci loci = failure_loci(slope);
     loci.laboratory = {prior_range(fit, slope)};
-    report.blocks.emplace_back(
-        folder.draw(failure_locus_figure(loci), fit.name + "_failure_loci",
-                    "Friction angle (of the mean plane) and cohesion at FS = 1 for the geometry of the best point and "
-                    "several water levels, with what was known of the strength beforehand."));
+    sheet.draw(failure_locus_figure(loci), fit.name + "_failure_loci",
+               "Friction angle (of the mean plane) and cohesion at FS = 1 for the geometry of the best point and "
+               "several water levels, with what was known of the strength beforehand.");
     if (const auto curves = water_depth_curves(slope)) {
-        report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curves), fit.name + "_water",
-                                               "Factor of safety against the filled ratio of the crack."));
+        sheet.draw(factor_of_safety_against_water(*curves), fit.name + "_water",
+                   "Factor of safety against the filled ratio of the crack.");
     }
-    report.blocks.emplace_back(folder.draw(
-        tornado_figure("Change of the factor of safety",
-                       sensitivity_bars(slope, sensitivities(slope), deviations_of(fit.parameters))),
-        fit.name + "_sensitivity",
-        "To first order, from exact derivatives at the best point, the geometry held; fitted inputs by one standard "
-        "deviation of their priors. The eight greatest."));
+    sheet.draw(tornado_figure("Change of the factor of safety",
+                              sensitivity_bars(slope, sensitivities(slope), deviations_of(fit.parameters))),
+               fit.name + "_sensitivity",
+               "To first order, from exact derivatives at the best point, the geometry held; fitted inputs by one "
+               "standard deviation of their priors. The eight greatest.");
 }
 
 }  // namespace delabole

@@ -121,7 +121,7 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
 
 // How failure was decided, which blocks fail, and their figure. If the value was found on several paths, the files are
 // named after the path.
-void append_failure(const CriticalPlan& plan, const PathValue& value, const ResultFolder& folder, Report& report) {
+void append_failure(const CriticalPlan& plan, const PathValue& value, const Sheet& sheet) {
     if (!value.failed) {
         return;
     }
@@ -129,24 +129,23 @@ void append_failure(const CriticalPlan& plan, const PathValue& value, const Resu
     const std::string path(word_of(value.path));
     const bool several = plan.path.size() > 1;
     const std::string suffix = several ? '_' + path : "";
-    report.blocks.emplace_back(Paragraph{decision_in_words(plan, value)});
+    sheet.add(Paragraph{decision_in_words(plan, value)});
     CsvTable csv({"block", "movement", "rotation_deg", "displacement_m", "base_slip_m"});
     for (const std::size_t block : failing_blocks(failed).block) {
         const BlockOutcome& outcome = failed.result.block[block];
         csv.add_row({static_cast<double>(block + 1), std::string(word_of(outcome.movement)),
                      in_display_unit(outcome.rotation, Dimension::angle), outcome.displacement, outcome.base_slip});
     }
-    folder.write("failing_blocks" + suffix + ".csv", csv.text());
+    sheet.write("failing_blocks" + suffix + ".csv", csv.text());
     std::string title = "At failure";
     if (several && value.status == CriticalStatus::found) {
         title += ", path " + path + ": " + human_name(name_of_critical(plan.parameter)) + ' ' +
                  value_in_words(value.value(), dimension_of(plan.parameter));
     }
-    append_failure_figure(failed, title, "at_failure" + suffix, folder, report);
+    append_failure_figure(failed, title, "at_failure" + suffix, sheet);
 }
 
-void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, const ResultFolder& folder,
-                  Report& report) {
+void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, const Sheet& sheet) {
     const Dimension dimension = dimension_of(plan.parameter);
     const std::string name = human_name(name_of_critical(plan.parameter));
     Table table{
@@ -170,15 +169,14 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
     };
     add(critical);
     std::ranges::for_each(critical.other, add);
-    folder.write("paths.csv", csv.text());
-    report.blocks.emplace_back(std::move(table));
+    sheet.write("paths.csv", csv.text());
+    sheet.add(std::move(table));
     if (!critical.other.empty() && critical.worst_status() == CriticalStatus::found) {
         const std::vector<double> values = critical.values();
-        report.blocks.emplace_back(Paragraph{
-            "The paths spread by " + in_six_digits(values[values.size() - 2], dimension) +
-            ": none of them is wrong, so that this is error of the model, beside that of its inputs. A fit adds "
-            "the deviation of the others from the first, " +
-            in_six_digits(values.back(), dimension) + ", in quadrature to that of what was observed."});
+        sheet.add(Paragraph{"The paths spread by " + in_six_digits(values[values.size() - 2], dimension) +
+                            ": none of them is wrong, so that this is error of the model, beside that of its inputs. A "
+                            "fit adds the deviation of the others from the first, " +
+                            in_six_digits(values.back(), dimension) + ", in quadrature to that of what was observed."});
     }
 }
 
@@ -406,13 +404,12 @@ std::string search_in_words(const CriticalPlan& plan, const CriticalAnswer& crit
     return {};
 }
 
-void append_critical_figures(const CriticalPlan& plan, const CriticalAnswer& critical, const ResultFolder& folder,
-                             Report& report) {
-    report.blocks.emplace_back(Heading{capitalised(human_name(name_of_critical(plan.parameter)))});
-    append_paths(plan, critical, folder, report);
-    append_failure(plan, critical, folder, report);
+void append_critical_figures(const CriticalPlan& plan, const CriticalAnswer& critical, const Sheet& sheet) {
+    sheet.add(Heading{capitalised(human_name(name_of_critical(plan.parameter)))});
+    append_paths(plan, critical, sheet);
+    append_failure(plan, critical, sheet);
     for (const PathValue& other : critical.other) {
-        append_failure(plan, other, folder, report);
+        append_failure(plan, other, sheet);
     }
 }
 

@@ -26,7 +26,6 @@ void append_critical(Analysis& analysis, const RelaxationStudyAnswer& answer);
 std::string search_in_words(const CriticalPlan& plan, const CriticalAnswer& critical);
 
 // The value on each path, the blocks at failure as table and figure, and failing_blocks.csv and paths.csv.
-void append_critical_figures(const CriticalPlan& plan, const CriticalAnswer& critical, const ResultFolder& folder,
-                             Report& report);
+void append_critical_figures(const CriticalPlan& plan, const CriticalAnswer& critical, const Sheet& sheet);
 
 }  // namespace delabole

@@ -220,46 +220,41 @@ Figure mechanism_figure(const RelaxationRun& made, const std::string& title) {
     return block_figure(drawing);
 }
 
-void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
+void append_block_figures(const RelaxationRun& made, const Sheet& sheet) {
     if (!made.end) {
         return;
     }
     const Bodies bodies = make_bodies(made.scene);
-    report.blocks.emplace_back(Heading{"The blocks"});
-    const auto append_table = [&] { report.blocks.emplace_back(Folded{"Table of the blocks", {block_table(made)}}); };
+    sheet.add(Heading{"The blocks"});
+    const auto append_table = [&] { sheet.add(Folded{"Table of the blocks", {block_table(made)}}); };
     if (bodies.size() > most_drawn_blocks) {
-        report.blocks.emplace_back(Paragraph{"There are " + std::to_string(bodies.size()) +
-                                             " blocks, too many to be told apart in a drawing."});
+        sheet.add(Paragraph{"There are " + std::to_string(bodies.size()) +
+                            " blocks, too many to be told apart in a drawing."});
         append_table();
         return;
     }
-    report.blocks.emplace_back(
-        folder.draw(start_figure(made, bodies), "start", "The blocks at the start, gravity downwards; F: fixed."));
-    report.blocks.emplace_back(
-        folder.draw(end_figure(made, bodies), "end", "The blocks at the end of the run, and how each has moved."));
+    sheet.draw(start_figure(made, bodies), "start", "The blocks at the start, gravity downwards; F: fixed.");
+    sheet.draw(end_figure(made, bodies), "end", "The blocks at the end of the run, and how each has moved.");
     if (const auto figure = velocity_figure(made, bodies)) {
-        report.blocks.emplace_back(
-            folder.draw(*figure, "velocities", "Velocities of the centroids at the end of the run."));
+        sheet.draw(*figure, "velocities", "Velocities of the centroids at the end of the run.");
     }
-    report.blocks.emplace_back(
-        folder.draw(force_figure(made, bodies), "contact_forces",
-                    "Forces of the springs at the corners at the end of the run: on free "
-                    "blocks by fixed ones, and on the block of the corner by its neighbour. Too many "
-                    "for arrows, they are lines along the forces, as thick as these are great."));
+    sheet.draw(force_figure(made, bodies), "contact_forces",
+               "Forces of the springs at the corners at the end of the run: on free "
+               "blocks by fixed ones, and on the block of the corner by its neighbour. Too many "
+               "for arrows, they are lines along the forces, as thick as these are great.");
     append_table();
 }
 
 void append_failure_figure(const RelaxationRun& failed, const std::string& title, const std::string& name,
-                           const ResultFolder& folder, Report& report) {
+                           const Sheet& sheet) {
     if (failed.scene.block.size() > most_drawn_blocks) {
         return;
     }
-    report.blocks.emplace_back(folder.draw(
-        mechanism_figure(failed, title), name,
-        failed.result.outcome == RelaxationOutcome::held_by_corners
-            ? "The blocks at rest, at the nearest value found not to stand: those that only corners hold."
-            : "The blocks at the onset of failure, at the nearest value found to fail: what each has begun to do. "
-              "One that stays with an arrow is under way, but not yet by a tenth of the farthest."));
+    sheet.draw(mechanism_figure(failed, title), name,
+               failed.result.outcome == RelaxationOutcome::held_by_corners
+                   ? "The blocks at rest, at the nearest value found not to stand: those that only corners hold."
+                   : "The blocks at the onset of failure, at the nearest value found to fail: what each has begun to "
+                     "do. One that stays with an arrow is under way, but not yet by a tenth of the farthest.");
 }
 
 namespace {
@@ -336,10 +331,9 @@ void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& mad
     }
 }
 
-void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made, const ResultFolder& folder,
-                           Report& report) {
+void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made, const Sheet& sheet) {
     const JointedSection& section = made.section;
-    report.blocks.emplace_back(Heading{"The section"});
+    sheet.add(Heading{"The section"});
     const Folded cutting{
         "How the section was cut",
         {cut_table(slope, section),
@@ -353,7 +347,7 @@ void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made,
                    " kept. Faces in intact rock: " + std::to_string(section.intact_edges) + ". Cuts nearer than " +
                    value_in_words(section.snap_distance, Dimension::length) + " to a corner run through it."}}};
     if (made.block.size() > most_drawn_blocks) {
-        report.blocks.emplace_back(cutting);
+        sheet.add(cutting);
         return;
     }
     BlockDrawing drawing{.title = "The section"};
@@ -378,9 +372,8 @@ void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made,
     for (Point& point : drawing.water) {
         point = upright(point);
     }
-    report.blocks.emplace_back(
-        folder.draw(block_figure(drawing), "section", "The section and its blocks, shaded by rock; grey: fixed."));
-    report.blocks.emplace_back(cutting);
+    sheet.draw(block_figure(drawing), "section", "The section and its blocks, shaded by rock; grey: fixed.");
+    sheet.add(cutting);
 }
 
 }  // namespace delabole

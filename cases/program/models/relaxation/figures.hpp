@@ -40,11 +40,11 @@ std::string length_in_words(double length);
 std::string degrees_in_words(double angle);
 
 // Blocks at the start and at the end, velocities, contact forces, and the table of blocks; nothing without a run.
-void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);
+void append_block_figures(const RelaxationRun& made, const Sheet& sheet);
 
 // Blocks at the end of the run at the nearest value that fails; those that have begun to move are marked.
 void append_failure_figure(const RelaxationRun& failed, const std::string& title, const std::string& name,
-                           const ResultFolder& folder, Report& report);
+                           const Sheet& sheet);
 
 // The end of a run: how each block has moved, the velocities, and what has broken.
 Figure mechanism_figure(const RelaxationRun& made, const std::string& title);
@@ -53,12 +53,10 @@ Figure mechanism_figure(const RelaxationRun& made, const std::string& title);
 void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& made, Analysis& analysis);
 
 // Figure of the blocks shaded by rock with the water table, and the table of cuts.
-void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made, const ResultFolder& folder,
-                           Report& report);
+void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made, const Sheet& sheet);
 
 // Cracks, crest and the ground left standing of a jointed slope as figure, tables and *.csv; nothing for other scenes.
-void append_post_failure(const RelaxationSlope* slope, const RelaxationRun& made, const ResultFolder& folder,
-                         Report& report);
+void append_post_failure(const RelaxationSlope* slope, const RelaxationRun& made, const Sheet& sheet);
 // The blocks at their positions in a frame; those that fail in the end are marked.
 Figure moved_slope_figure(const RelaxationRun& made, const MotionFrame& frame, const PostFailure& end,
                           const std::string& title);
@@ -66,13 +64,12 @@ Figure moved_slope_figure(const RelaxationRun& made, const MotionFrame& frame, c
 Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failure, const std::string& title);
 
 // history.csv, movements.csv and their figures; nothing if the run kept no history.
-void append_history(const HistoryRequest& request, const RelaxationRun& made, const ResultFolder& folder,
-                    Report& report);
+void append_history(const HistoryRequest& request, const RelaxationRun& made, const Sheet& sheet);
 
 // Tension of the bolts over time, from the history or otherwise from the frames; nothing without bolts.
-void append_bolt_forces(const RelaxationRun& made, const ResultFolder& folder, Report& report);
+void append_bolt_forces(const RelaxationRun& made, const Sheet& sheet);
 
 // The moving blocks, in the report and as frames/ for ParaView; nothing if the run kept no frames.
-void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report& report);
+void append_frames(const RelaxationRun& made, const Sheet& sheet);
 
 }  // namespace delabole

@@ -94,28 +94,28 @@ BlockFrame frame_of(const MotionFrame& frame, const Bodies& bodies) {
 
 }  // namespace
 
-void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
+void append_frames(const RelaxationRun& made, const Sheet& sheet) {
     if (made.frames.empty()) {
         return;
     }
     const Bodies bodies = make_bodies(made.scene);
-    report.blocks.emplace_back(animation_of(made, bodies));
-    if (folder.path().empty()) {
+    sheet.add(animation_of(made, bodies));
+    if (sheet.folder.path().empty()) {
         return;  // nothing is written
     }
     if (interrupt_flag()) {
         // They can be a hundred megabytes for a large slope; the same command writes them once it has continued to the
         // end of the run.
-        report.blocks.emplace_back(Paragraph{"Frames for ParaView are written when the run has come to its end."});
+        sheet.add(Paragraph{"Frames for ParaView are written when the run has come to its end."});
         return;
     }
-    folder.enter({});  // removes the frames of an earlier result, and their folder
-    FrameFolder frames(folder.path() / "frames", "run");
+    sheet.folder.enter({});  // removes the frames of an earlier result, and their folder
+    FrameFolder frames(sheet.folder.path() / "frames", "run");
     std::vector<std::string> names = frames.file_names(made.frames.size());
     for (std::string& name : names) {
         name.insert(0, "frames/");
     }
-    folder.enter(names);
+    sheet.folder.enter(names);
     for (const MotionFrame& frame : made.frames) {
         frames.add(frame_of(frame, bodies));
     }

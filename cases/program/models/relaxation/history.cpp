@@ -206,7 +206,7 @@ std::vector<Column> rotations(const RelaxationScene& scene) {
 
 }  // namespace
 
-void append_bolt_forces(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
+void append_bolt_forces(const RelaxationRun& made, const Sheet& sheet) {
     RelaxationHistory lines = made.history;
     Points yields{.legend = "begins to yield", .colour = Colour::vermilion};
     std::vector<char> yielded;
@@ -237,24 +237,23 @@ void append_bolt_forces(const RelaxationRun& made, const ResultFolder& folder, R
         return;
     }
     figure.series.emplace_back(std::move(yields));
-    report.blocks.emplace_back(folder.draw(
+    sheet.draw(
         figure, "bolts",
-        "Tension of each bolt per metre of slope, where it is greatest along the bolt; points: it begins to yield."));
+        "Tension of each bolt per metre of slope, where it is greatest along the bolt; points: it begins to yield.");
 }
 
-void append_history(const HistoryRequest& request, const RelaxationRun& made, const ResultFolder& folder,
-                    Report& report) {
+void append_history(const HistoryRequest& request, const RelaxationRun& made, const Sheet& sheet) {
     if (made.history.empty()) {
         return;
     }
-    folder.write("history.csv", history_csv(request, made.history));
-    folder.write("movements.csv", movements_csv(made));
-    report.blocks.emplace_back(Heading{"History"});
-    report.blocks.emplace_back(Folded{"Sliding of each block in time", {movement_table(made)}});
+    sheet.write("history.csv", history_csv(request, made.history));
+    sheet.write("movements.csv", movements_csv(made));
+    sheet.add(Heading{"History"});
+    sheet.add(Folded{"Sliding of each block in time", {movement_table(made)}});
     const std::string unit = human_unit(display_unit(Dimension::energy_per_length).symbol);
     const auto draw = [&](const Figure& figure, const std::string& name, const std::string& caption) {
         if (!figure.series.empty()) {
-            report.blocks.emplace_back(folder.draw(figure, name, caption));
+            sheet.draw(figure, name, caption);
         }
     };
     draw(curves(made.history, energy_columns(), "Energies", {.title = "energy since the start", .unit = unit}),

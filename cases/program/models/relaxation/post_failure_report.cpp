@@ -221,29 +221,26 @@ Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failur
     return figure;
 }
 
-void append_post_failure(const RelaxationSlope* slope, const RelaxationRun& made, const ResultFolder& folder,
-                         Report& report) {
+void append_post_failure(const RelaxationSlope* slope, const RelaxationRun& made, const Sheet& sheet) {
     if (slope == nullptr || !made.post_failure || made.post_failure->ground.empty()) {
         return;
     }
     const PostFailure& failure = *made.post_failure;
-    report.blocks.emplace_back(Heading{"What failed and what is left standing"});
+    sheet.add(Heading{"What failed and what is left standing"});
     if (made.scene.block.size() <= most_drawn_blocks) {
-        report.blocks.emplace_back(folder.draw(
-            left_standing_figure(made, failure, "What failed, and the ground left standing"), "left_standing",
-            made.in_stages
-                ? "The blocks where they were at the start, those that failed marked by the stage in which they "
-                  "did: each mass is taken away before the rest has to stand by itself."
-                : "The blocks where they were at the start, with those marked that had left their places at the "
-                  "end of the run or were moving. The ground left standing lies lower by what has left."));
+        sheet.draw(left_standing_figure(made, failure, "What failed, and the ground left standing"), "left_standing",
+                   made.in_stages
+                       ? "The blocks where they were at the start, those that failed marked by the stage in which they "
+                         "did: each mass is taken away before the rest has to stand by itself."
+                       : "The blocks where they were at the start, with those marked that had left their places at the "
+                         "end of the run or were moving. The ground left standing lies lower by what has left.");
     }
     if (made.in_stages) {
-        report.blocks.emplace_back(stage_table(made));
+        sheet.add(stage_table(made));
     }
-    report.blocks.emplace_back(
-        Folded{"Cracks and blocks at the crest", {crack_table(failure, *slope), crest_table(failure)}});
-    write_ground(made, failure, folder);
-    write_tables(failure, folder);
+    sheet.add(Folded{"Cracks and blocks at the crest", {crack_table(failure, *slope), crest_table(failure)}});
+    write_ground(made, failure, sheet.folder);
+    write_tables(failure, sheet.folder);
 }
 
 }  // namespace delabole

@@ -427,27 +427,26 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
     return analysis;
 }
 
-void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, const ResultFolder& folder,
-                         Report& report) {
+void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, const Sheet& sheet) {
     const RelaxationRun& made = answer.run;
-    append_frames(made, folder, report);
-    append_bolt_forces(made, folder, report);
+    append_frames(made, sheet);
+    append_bolt_forces(made, sheet);
     if (answer.critical) {
-        append_critical_figures(*answer.plan, *answer.critical, folder, report);
+        append_critical_figures(*answer.plan, *answer.critical, sheet);
     }
-    append_post_failure(std::get_if<RelaxationSlope>(&study.model.scene), made, folder, report);
-    append_block_figures(made, folder, report);
+    append_post_failure(std::get_if<RelaxationSlope>(&study.model.scene), made, sheet);
+    append_block_figures(made, sheet);
     if (answer.slope) {
-        append_section_figure(std::get<RelaxationSlope>(study.model.scene), *answer.slope, folder, report);
+        append_section_figure(std::get<RelaxationSlope>(study.model.scene), *answer.slope, sheet);
     }
     if (study.history) {
-        append_history(*study.history, made, folder, report);
+        append_history(*study.history, made, sheet);
     }
 }
 
 void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit&, const FitProblem&,
-                              const ResultFolder& folder, Report& report) {
-    append_block_figures(run(at_best), folder, report);
+                              const Sheet& sheet) {
+    append_block_figures(run(at_best), sheet);
 }
 
 Impossibility impossibility(const RelaxationStudy& study, std::string_view) {

@@ -78,11 +78,10 @@ HeadCard head_card(const SingleBlock&, const SingleBlockResult& result) {
     return head;
 }
 
-void append_case_figures(const SingleBlock& problem, const SingleBlockResult& result, const ResultFolder& folder,
-                         Report& report) {
-    report.blocks.emplace_back(folder.draw(block_figure(block_drawing(problem, result)), "block",
-                                           "Weight with the earthquake's inertia and, where the block stands, the "
-                                           "effective force of the base; those of water are not drawn."));
+void append_case_figures(const SingleBlock& problem, const SingleBlockResult& result, const Sheet& sheet) {
+    sheet.draw(block_figure(block_drawing(problem, result)), "block",
+               "Weight with the earthquake's inertia and, where the block stands, the "
+               "effective force of the base; those of water are not drawn.");
     if (!dry_and_at_rest(problem)) {
         return;
     }
@@ -91,18 +90,17 @@ void append_case_figures(const SingleBlock& problem, const SingleBlockResult& re
                            "Dry block, friction " + value_in_words(problem.base.friction_angle, Dimension::angle));
     chart.printed = {
         {"this block", Point(problem.base.inclination, std::atan(problem.block.width / problem.block.height))}};
-    report.blocks.emplace_back(Heading{"Chart of modes"});
-    report.blocks.emplace_back(folder.draw(
+    sheet.add(Heading{"Chart of modes"});
+    sheet.draw(
         mode_chart_figure(chart), "mode_chart",
-        "What a dry block released from rest does, over inclination and slenderness angle atan(width / height)."));
+        "What a dry block released from rest does, over inclination and slenderness angle atan(width / height).");
 }
 
 void append_mechanism_figures(const SingleBlock& at_best, const MechanismFit& fit, const FitProblem&,
-                              const ResultFolder& folder, Report& report) {
+                              const Sheet& sheet) {
     const SingleBlockResult result = analyse(at_best);
     if (result.check == SingleBlockCheck::valid) {
-        report.blocks.emplace_back(folder.draw(block_figure(block_drawing(at_best, result)), fit.name + "_block",
-                                               "The block at the best point."));
+        sheet.draw(block_figure(block_drawing(at_best, result)), fit.name + "_block", "The block at the best point.");
     }
 }
 

@@ -117,7 +117,7 @@ std::vector<DrawnBlock> block_outlines(const Assembly& assembly) {
 }
 
 void append_state(const SteppedBaseAnswer& answer, const BoundState& state, bool cut, const std::string& name,
-                  const ResultFolder& folder, Report& report) {
+                  const Sheet& sheet) {
     if (state.result.status != LpStatus::optimal || state.assembly.bodies.size() > most_drawn_blocks) {
         return;
     }
@@ -133,19 +133,18 @@ void append_state(const SteppedBaseAnswer& answer, const BoundState& state, bool
     }
     add_contact_forces(drawing, state);
     add_mechanism(drawing, state, 0.3 * answer.slope.columns.front().width);
-    report.blocks.emplace_back(folder.draw(
-        block_figure(drawing), name,
-        what + " with the least strength for which forces exist that keep them in equilibrium, one choice of such "
-               "forces, and the mechanism that proves it the least. Faces that slip open in it, as dilatant joints "
-               "would; real ones need not. Of more than 120 forces, one in so many is drawn."));
+    sheet.draw(block_figure(drawing), name,
+               what +
+                   " with the least strength for which forces exist that keep them in equilibrium, one choice of such "
+                   "forces, and the mechanism that proves it the least. Faces that slip open in it, as dilatant joints "
+                   "would; real ones need not. Of more than 120 forces, one in so many is drawn.");
 }
 
 double reduced_friction(const SteppedBase<>& problem, double factor) {
     return std::atan(std::tan(problem.joints.friction_angle) / factor);
 }
 
-void append_bracket(const SteppedBaseAnswer& answer, double bound_upper_part, const ResultFolder& folder,
-                    Report& report) {
+void append_bracket(const SteppedBaseAnswer& answer, double bound_upper_part, const Sheet& sheet) {
     const SteppedBase<>& problem = answer.resolved.problem;
     const SteppedBaseResult& recursion = answer.result;
     if (recursion.limit != LimitState::found || !(problem.joints.friction_angle > 0) ||
@@ -177,10 +176,10 @@ void append_bracket(const SteppedBaseAnswer& answer, double bound_upper_part, co
                         .ticks = {{-4, "0.0001"}, {-3, "0.001"}, {-2, "0.01"}, {-1, "0.1"}, {0, "1"}}},
                   .y = {.title = "friction angle of the joints", .unit = "deg"},
                   .series = {line, limit}};
-    report.blocks.emplace_back(folder.draw(
+    sheet.draw(
         figure, "bound_bracket",
         "All strength divided by one factor. The linear programme may choose where forces act and puts them low on the "
-        "joints; held to the tops, where toppling columns press, it needs the strength of the recursion."));
+        "joints; held to the tops, where toppling columns press, it needs the strength of the recursion.");
 }
 
 }  // namespace
@@ -232,21 +231,20 @@ void append_bounds(Analysis& analysis, const SteppedBaseAnswer& answer, const Li
     }
 }
 
-void append_bound_figures(const SteppedBaseAnswer& answer, const LinearProgrammingBound& request,
-                          const ResultFolder& folder, Report& report) {
+void append_bound_figures(const SteppedBaseAnswer& answer, const LinearProgrammingBound& request, const Sheet& sheet) {
     if (!answer.bound) {
         return;
     }
-    report.blocks.emplace_back(Heading{"Bound by linear programming"});
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(Heading{"Bound by linear programming"});
+    sheet.add(Paragraph{
         "The factor of safety of the linear programme is a bound from the unsafe side: no strength below its limit can "
         "keep the slope, but with real joints, which slip without opening, the slope may fail with more. Forces that "
         "would hold it exist; nothing makes them arise."});
-    append_state(answer, *answer.bound, false, "bound", folder, report);
+    append_state(answer, *answer.bound, false, "bound", sheet);
     if (answer.bound_of_blocks) {
-        append_state(answer, *answer.bound_of_blocks, true, "bound_blocks", folder, report);
+        append_state(answer, *answer.bound_of_blocks, true, "bound_blocks", sheet);
     }
-    append_bracket(answer, request.upper_part, folder, report);
+    append_bracket(answer, request.upper_part, sheet);
 }
 
 }  // namespace delabole

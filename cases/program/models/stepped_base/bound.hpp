@@ -9,9 +9,8 @@
 namespace delabole {
 
 struct Analysis;
-struct Report;
+struct Sheet;
 struct SteppedBaseAnswer;
-class ResultFolder;
 
 // "bound.factor_of_safety", "bound.blocks.factor_of_safety"
 constexpr std::string_view bound_prefix = "bound";
@@ -26,7 +25,6 @@ void find_bounds(SteppedBaseAnswer& answer, const LinearProgrammingBound& reques
 void append_bounds(Analysis& analysis, const SteppedBaseAnswer& answer, const LinearProgrammingBound& request);
 
 // Forces and mechanism of columns and of blocks, and the transition from the bound to the recursion.
-void append_bound_figures(const SteppedBaseAnswer& answer, const LinearProgrammingBound& request,
-                          const ResultFolder& folder, Report& report);
+void append_bound_figures(const SteppedBaseAnswer& answer, const LinearProgrammingBound& request, const Sheet& sheet);
 
 }  // namespace delabole

@@ -110,16 +110,15 @@ HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
     return head;
 }
 
-void append_case_figures(const SteppedPath& path, const SteppedPathResult& result, const ResultFolder& folder,
-                         Report& report) {
+void append_case_figures(const SteppedPath& path, const SteppedPathResult& result, const Sheet& sheet) {
     if (!result.surface.empty()) {
-        report.blocks.emplace_back(folder.draw(section_figure(path, result), "section",
-                                               "What moves at the factor of safety, along joints, and what stays."));
+        sheet.draw(section_figure(path, result), "section",
+                   "What moves at the factor of safety, along joints, and what stays.");
     }
 }
 
 void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report) {
+                              const Sheet& sheet) {
     const SteppedPathResult result = analyse(at_best);
     if (result.check != SteppedPathCheck::valid || result.surface.empty()) {
         return;
@@ -127,11 +126,11 @@ void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fi
     Figure figure = section_figure(at_best, result);
     add_profiles(figure, problem.profile ? problem.profile->profile : Polyline{},
                  profile_after_failure(at_best, result), at_best.slope.toe_elevation.value_or(0.0));
-    report.blocks.emplace_back(folder.draw(figure, fit.name + "_section",
-                                           "What moves at the best point, and the ground observed after the failure."));
+    sheet.draw(figure, fit.name + "_section",
+               "What moves at the best point, and the ground observed after the failure.");
     const std::vector<std::string> warnings = named_outputs(at_best, result).warnings;
     if (!warnings.empty()) {
-        report.blocks.emplace_back(Notice{NoticeKind::warning, "The surface at the best point", warnings});
+        sheet.add(Notice{NoticeKind::warning, "The surface at the best point", warnings});
     }
 }
 

@@ -89,30 +89,28 @@ std::optional<WaterDepthCurves> filled_ratio_curve(const WedgeFailure& problem) 
 }
 
 void append_drawings(const WedgeFailure& problem, const WedgeFailureResult& result, const std::string& prefix,
-                     const InputDeviations& known, const ResultFolder& folder, Report& report) {
-    report.blocks.emplace_back(folder.draw(
+                     const InputDeviations& known, const Sheet& sheet) {
+    sheet.draw(
         wedge_figure(wedge_drawing(problem, "The wedge in the slope")), prefix + "wedge",
-        "The wedge, to scale, seen from above and from in front of the face; 1 and 2 mark the traces of the planes."));
+        "The wedge, to scale, seen from above and from in front of the face; 1 and 2 mark the traces of the planes.");
     if (result.contact != SlidingContact::none) {
-        report.blocks.emplace_back(
-            folder.draw(slid_wedge_figure(wedge_drawing(problem, "The wedge slid out")), prefix + "slid_wedge",
-                        "The same wedge moved along its direction of sliding, and the surfaces that it leaves."));
+        sheet.draw(slid_wedge_figure(wedge_drawing(problem, "The wedge slid out")), prefix + "slid_wedge",
+                   "The same wedge moved along its direction of sliding, and the surfaces that it leaves.");
     }
-    report.blocks.emplace_back(folder.draw(wedge_net_figure(wedge_net(problem, result)), prefix + "stereonet",
-                                           "The planes as great circles, and the line along which they meet."));
+    sheet.draw(wedge_net_figure(wedge_net(problem, result)), prefix + "stereonet",
+               "The planes as great circles, and the line along which they meet.");
     if (const auto curve = filled_ratio_curve(problem)) {
-        report.blocks.emplace_back(Heading{"Water"});
-        report.blocks.emplace_back(folder.draw(
-            factor_of_safety_against_water(*curve), prefix + "water",
-            "Factor of safety against the greatest water pressure over that of fissures filled to the ground."));
+        sheet.add(Heading{"Water"});
+        sheet.draw(factor_of_safety_against_water(*curve), prefix + "water",
+                   "Factor of safety against the greatest water pressure over that of fissures filled to the ground.");
     }
     const double height = problem.slope.height;
-    report.blocks.emplace_back(folder.draw(
+    sheet.draw(
         tornado_figure("Change of the factor of safety",
                        recalculated_bars(problem, factor_of(problem), height, problem.rock.unit_weight * height, known,
                                          [](const WedgeFailure& varied, bool) { return factor_of(varied); })),
         prefix + "sensitivity",
-        "Each input changed by itself, by the step that stands beside it." + deviations_in_words(known)));
+        "Each input changed by itself, by the step that stands beside it." + deviations_in_words(known));
 }
 
 }  // namespace
@@ -160,16 +158,16 @@ HeadCard head_card(const WedgeFailureStudy& study, const WedgeFailureAnswer& ans
     return head;
 }
 
-void append_case_figures(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
-                         Report& report, const InputDeviations& known) {
-    append_drawings(study.model, answer.result, "", known, folder, report);
+void append_case_figures(const WedgeFailureStudy& study, const WedgeFailureAnswer& answer, const Sheet& sheet,
+                         const InputDeviations& known) {
+    append_drawings(study.model, answer.result, "", known, sheet);
 }
 
 void append_mechanism_figures(const WedgeFailureStudy& at_best, const MechanismFit& fit, const FitProblem&,
-                              const ResultFolder& folder, Report& report) {
+                              const Sheet& sheet) {
     const WedgeFailureResult result = analyse(at_best.model);
     if (result.check == WedgeFailureCheck::valid) {
-        append_drawings(at_best.model, result, fit.name + "_", deviations_of(fit.parameters), folder, report);
+        append_drawings(at_best.model, result, fit.name + "_", deviations_of(fit.parameters), sheet);
     }
 }
 

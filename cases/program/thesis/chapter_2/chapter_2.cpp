@@ -61,7 +61,7 @@ WaterDepthCurves fig_2_8_curves(const Fig28Solution& solution) {
     return curves;
 }
 
-Reproduction reproduce_fig_2_8(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_fig_2_8(const Sheet& sheet) {
     const Fig28Solution solution = solve_fig_2_8(FilledFraction::of_z_below_crest, 27e3);
     if (!solution.z) {
         throw std::logic_error("fig2.8: no depth of crack meets the printed statement");
@@ -78,16 +78,16 @@ Reproduction reproduce_fig_2_8(const ResultFolder& folder, Report& report) {
         {"(a) stress below 225 ft of slate of 27 kN/m3", "2 MN/m2, several times below 20",
          human_number(stress, 3) + " MN/m2", human_number(stress - 2, 2) + " MN/m2",
          statement(intact > 3 * stress) + ": strength over stress " + human_number(intact / stress, 3)});
-    report.blocks.emplace_back(Heading{"Fig 2.8: plane failure with a crack in the face"});
-    report.blocks.emplace_back(
+    sheet.add(Heading{"Fig 2.8: plane failure with a crack in the face"});
+    sheet.add(
         Paragraph{"H, z and the unit weight are not printed. H is taken between the printed levels 575 and 350 ft; z "
                   "follows from the printed statement that two thirds of the crack must be full for the slope to fail "
                   "with 30 lbf/in2; the other statement, stable when half full without cohesion, is then a check."});
-    report.blocks.emplace_back(printed_table("Printed statements", result.rows));
+    sheet.add(printed_table("Printed statements", result.rows));
     CsvTable csv({"full_means", "unit_weight_kN_per_m3", "z_m", "crack_depth_m", "crack_base_level_ft",
                   "crack_location", "factor_half_full", "overturning_factor"});
-    report.blocks.emplace_back(solutions_table(csv));
-    report.blocks.emplace_back(
+    sheet.add(solutions_table(csv));
+    sheet.add(
         Paragraph{"z is measured from crest level in the printed formulas (A = (H - z) cosec psi_p), so a crack in the "
                   "face is shallower than z. Read as a fraction of z, every unit weight from 25 kN/m3 on gives a crack "
                   "in the face whose bottom lies within 11 ft of the level, 425 ft, at which the observed surfaces "
@@ -95,12 +95,12 @@ Reproduction reproduce_fig_2_8(const ResultFolder& folder, Report& report) {
                   "statement. Restoring over overturning moment about the toe is below 1: the mass would overturn "
                   "before it slides, which the printed force balance does not see."});
     const auto drawn = std::get<PlaneFailureStudy<>>(built_in_case("plane_failure", "fig_2_8").model);
-    report.blocks.emplace_back(folder.draw(
+    sheet.draw(
         section_figure(section_drawing(drawn.model, "Fig 2.8 (a): the slope and its crack")), "fig_2_8a",
-        "The lower surface, drawn as one plane at 40 deg, is stepped: joints and cleavage add 46 deg of friction."));
-    report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(fig_2_8_curves(solution)), "fig_2_8b",
-                                           "Factor of safety against the filled fraction of z, at 27 kN/m3."));
-    folder.write("fig_2_8.csv", csv.text());
+        "The lower surface, drawn as one plane at 40 deg, is stepped: joints and cleavage add 46 deg of friction.");
+    sheet.draw(factor_of_safety_against_water(fig_2_8_curves(solution)), "fig_2_8b",
+               "Factor of safety against the filled fraction of z, at 27 kN/m3.");
+    sheet.write("fig_2_8.csv", csv.text());
     return result;
 }
 

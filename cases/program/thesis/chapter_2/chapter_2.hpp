@@ -16,12 +16,12 @@
 
 namespace delabole {
 
-Reproduction reproduce_mechanisms(const ResultFolder& folder, Report& report);
-Reproduction reproduce_groundwater(const ResultFolder& folder, Report& report);
-Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report);
-Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report);
-Reproduction reproduce_trends(const ResultFolder& folder, Report& report);
-Reproduction reproduce_plates(const ResultFolder& folder, Report& report);
+Reproduction reproduce_mechanisms(const Sheet& sheet);
+Reproduction reproduce_groundwater(const Sheet& sheet);
+Reproduction reproduce_slope_drawings(const Sheet& sheet);
+Reproduction reproduce_column_motion(const Sheet& sheet);
+Reproduction reproduce_trends(const Sheet& sheet);
+Reproduction reproduce_plates(const Sheet& sheet);
 
 // Thesis Fig 2.8: the crack depth z that its two printed statements imply.
 //

@@ -143,10 +143,11 @@ void compare_rotations(Reproduction& result, const std::string& what, const std:
 
 }  // namespace
 
-Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_column_motion(const Sheet& sheet) {
     const std::vector<GroundwaterTest> tests = rows_of<GroundwaterTest>();
     std::vector<ColumnMotion> motions(tests.size());
-    run_part(folder, {"columns", 0, 1}, tests.size(), [&](std::size_t index) { motions[index] = move(tests[index]); });
+    run_part(sheet.folder, {"columns", 0, 1}, tests.size(),
+             [&](std::size_t index) { motions[index] = move(tests[index]); });
     constexpr double plain = degrees(43);
     constexpr double once = degrees(29.5);
     constexpr double twice = degrees(19);
@@ -200,11 +201,11 @@ Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report)
         compare_rotations(result, "4: likewise: rotation", "more friction, more toppling",
                           {by_friction.begin(), by_friction.end()});
     }
-    report.blocks.emplace_back(Heading{"Groundwater on one column in motion (2.3.5)"});
-    report.blocks.emplace_back(
+    sheet.add(Heading{"Groundwater on one column in motion (2.3.5)"});
+    sheet.add(
         Paragraph{"One column of joint A, cut by joint B and the cleavage, on a belt whose direction is turned for the "
                   "water. The shape of the thesis's column is not printed. Compared at a mean movement of 3 mm."});
-    report.blocks.emplace_back(printed_table("Observations 1 to 4", result.rows));
+    sheet.add(printed_table("Observations 1 to 4", result.rows));
     std::vector<Figure> figures;
     std::vector<std::string> files;
     for (const ColumnMotion& motion : motions) {
@@ -220,10 +221,9 @@ Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report)
     }
     set_one_scale(figures);
     for (std::size_t index = 0; index < figures.size(); ++index) {
-        report.blocks.emplace_back(folder.draw(figures[index], files[index],
-                                               "When half of what fails in the end has begun to. Moved by 3 mm after " +
-                                                   time_in_words(motions[index]) + ", turned by " +
-                                                   rotation_in_words(motions[index]) + "."));
+        sheet.draw(figures[index], files[index],
+                   "When half of what fails in the end has begun to. Moved by 3 mm after " +
+                       time_in_words(motions[index]) + ", turned by " + rotation_in_words(motions[index]) + ".");
     }
     return result;
 }

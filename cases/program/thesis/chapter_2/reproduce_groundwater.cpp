@@ -195,7 +195,7 @@ void add_observation_4(Reproduction& result) {
 
 }  // namespace
 
-Reproduction reproduce_groundwater(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_groundwater(const Sheet& sheet) {
     const std::vector<GroundwaterTest> tests = rows_of<GroundwaterTest>();
     const ColumnTilt full = analyse(TiltedColumn<>{joint_a_dip, degrees(47.5), 1.0});
     Reproduction result;
@@ -203,17 +203,16 @@ Reproduction reproduce_groundwater(const ResultFolder& folder, Report& report) {
     add_observation_2(full, result);
     add_observation_3(result);
     add_observation_4(result);
-    report.blocks.emplace_back(Heading{"Groundwater on one column (2.3.5)"});
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(Heading{"Groundwater on one column (2.3.5)"});
+    sheet.add(Paragraph{
         "The column lies on joint A and the model is turned by the angle that stands for the water. Observations 1 to "
         "3 are of speed; velocities on the belt stand for accelerations, hence for the driving force. How much of a "
         "movement is toppling depends on the blocks that the column is cut into, which are not printed: observation 4 "
         "is held against single blocks of every shape."});
-    report.blocks.emplace_back(printed_table("Observations 1 to 4", result.rows));
-    report.blocks.emplace_back(tests_table(tests));
-    report.blocks.emplace_back(
-        folder.draw(driving_figure(tests), "groundwater_driving_force",
-                    "Driving force over weight; at 20 deg of rotation the column leaves the joint."));
+    sheet.add(printed_table("Observations 1 to 4", result.rows));
+    sheet.add(tests_table(tests));
+    sheet.draw(driving_figure(tests), "groundwater_driving_force",
+               "Driving force over weight; at 20 deg of rotation the column leaves the joint.");
     return result;
 }
 

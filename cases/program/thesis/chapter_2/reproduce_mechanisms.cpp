@@ -44,7 +44,7 @@ void add_toppling(const MechanismVerdict& verdict, Reproduction& result) {
 
 }  // namespace
 
-Reproduction reproduce_mechanisms(const ResultFolder&, Report& report) {
+Reproduction reproduce_mechanisms(const Sheet& sheet) {
     const std::vector<MechanismVerdict> verdicts = rows_of<MechanismVerdict>();
     Reproduction result;
     for (const MechanismVerdict& verdict : verdicts) {
@@ -57,9 +57,9 @@ Reproduction reproduce_mechanisms(const ResultFolder&, Report& report) {
     const double column = std::tan(mixture_friction) / std::tan(verdicts.front().joint_a_dip);
     result.rows.push_back({"2.II: factor of safety of an undermined column on joint A", "slides into the gap",
                            number_in_words(column), "", statement(column < 1)});
-    report.blocks.emplace_back(Heading{"Modes of failure tried on models (2.3.3.2)"});
-    report.blocks.emplace_back(printed_table("Whether each mode can happen, by statics", result.rows));
-    report.blocks.emplace_back(verdict_table(verdicts));
+    sheet.add(Heading{"Modes of failure tried on models (2.3.3.2)"});
+    sheet.add(printed_table("Whether each mode can happen, by statics", result.rows));
+    sheet.add(verdict_table(verdicts));
     return result;
 }
 

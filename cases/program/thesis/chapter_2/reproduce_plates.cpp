@@ -180,7 +180,7 @@ std::string_view number_of(const Plate& plate) {
     return plate.plate.substr(0, plate.plate.find(' '));
 }
 
-void draw(const std::vector<SlopeRun>& runs, const ResultFolder& folder, Report& report) {
+void draw(const std::vector<SlopeRun>& runs, const Sheet& sheet) {
     std::vector<Figure> figures;
     std::vector<std::pair<std::string, std::string>> drawn;
     double lowest = 0;
@@ -198,7 +198,7 @@ void draw(const std::vector<SlopeRun>& runs, const ResultFolder& folder, Report&
             bottom = lowest;
         }
         for (std::size_t figure = 0; figure < figures.size(); ++figure) {
-            report.blocks.emplace_back(folder.draw(figures[figure], drawn[figure].first, drawn[figure].second));
+            sheet.draw(figures[figure], drawn[figure].first, drawn[figure].second);
         }
         figures.clear();
         drawn.clear();
@@ -208,10 +208,10 @@ void draw(const std::vector<SlopeRun>& runs, const ResultFolder& folder, Report&
 
 }  // namespace
 
-Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_plates(const Sheet& sheet) {
     const std::vector<MechanismVerdict> verdicts = rows_of<MechanismVerdict>();
     std::vector<SlopeRun> runs(plates.size());
-    run_part(folder, {"slopes", 0, 0.6}, plates.size(),
+    run_part(sheet.folder, {"slopes", 0, 0.6}, plates.size(),
              [&](std::size_t index) { runs[index] = run_slope(slope_model(plates[index].file)); });
     Reproduction result;
     for (std::size_t index = 0; index < plates.size(); ++index) {
@@ -231,9 +231,9 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
                                    statement(turned > seen)});
         }
     }
-    add_own_friction(folder, {"with the mixture's friction", 0.6, 1}, result);
-    report.blocks.emplace_back(Heading{"Plates 2.I to 2.VI as runs (2.3.3.2)"});
-    report.blocks.emplace_back(Paragraph{
+    add_own_friction(sheet.folder, {"with the mixture's friction", 0.6, 1}, result);
+    sheet.add(Heading{"Plates 2.I to 2.VI as runs (2.3.3.2)"});
+    sheet.add(Paragraph{
         "Profile: 40 to 45° up to a third of the height and 70 to 75° above, each within 5° and 0.1 of the height; in "
         "part: a lower surface that rises into the slope, gentler than the upper one by 15°. Cracks: two or more along "
         "joints that dip steeply into the slope. Movements: rock near the face to the pit, the wedge between the "
@@ -241,8 +241,8 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
         "the profile at the end. What counts as in part was settled when the runs had been seen. Joint C of Plate 2.I "
         "dips 10° more than in the field, as the friction does, and so does the lower surface that is arranged with "
         "it."});
-    report.blocks.emplace_back(printed_table("Field criteria: the thesis's verdict and the run's", result.rows));
-    draw(runs, folder, report);
+    sheet.add(printed_table("Field criteria: the thesis's verdict and the run's", result.rows));
+    draw(runs, sheet);
     return result;
 }
 

@@ -314,8 +314,7 @@ Figure traces_figure(const KinematicsResult& sets) {
 }
 
 // Compares apparent dips of the sets with those of the models; negative dips are into the slope.
-void add_traces(const KinematicsResult& sets, double face_dip_direction, const ResultFolder& folder, Report& report,
-                Reproduction& result) {
+void add_traces(const KinematicsResult& sets, double face_dip_direction, const Sheet& sheet, Reproduction& result) {
     struct Printed {
         std::string_view dip;
         std::string remark;
@@ -338,26 +337,23 @@ void add_traces(const KinematicsResult& sets, double face_dip_direction, const R
                                std::string(printed[set].dip), human_number(apparent, 3) + " deg", "",
                                printed[set].remark});
     }
-    report.blocks.emplace_back(
-        folder.draw(traces_figure(sets), "fig_2_1_traces", "Apparent dips across the face; the pit is to the left."));
+    sheet.draw(traces_figure(sets), "fig_2_1_traces", "Apparent dips across the face; the pit is to the left.");
 }
 
 }  // namespace
 
-Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_slope_drawings(const Sheet& sheet) {
     Reproduction result;
     const auto study = std::get<KinematicsStudy>(built_in_case("delabole_1967", "delabole_joint_sets").model);
     const KinematicsResult sets = analyse(study);
-    report.blocks.emplace_back(Heading{"Figs 2.1, 2.4 to 2.7, 2.10 and 2.15, drawn again"});
-    report.blocks.emplace_back(Paragraph{"Fig 2.1 is drawn with poles spread evenly over the ranges of the text."});
-    report.blocks.emplace_back(
-        folder.draw(stereonet_figure(study.model, sets), "fig_2_1", "Poles sampled from the printed ranges."));
-    add_traces(sets, study.model.slope.face_dip_direction, folder, report, result);
-    report.blocks.emplace_back(
-        folder.draw(profile_figure(), "fig_2_4", "Failure surfaces between the inclinations surveyed."));
-    report.blocks.emplace_back(folder.draw(plan_figure(), "fig_2_6",
-                                           "Which cracks lie on which bench, and how pegs moved, is told by the text "
-                                           "(2.2.3, 2.2.3.4); where along the crest is not printed."));
+    sheet.add(Heading{"Figs 2.1, 2.4 to 2.7, 2.10 and 2.15, drawn again"});
+    sheet.add(Paragraph{"Fig 2.1 is drawn with poles spread evenly over the ranges of the text."});
+    sheet.draw(stereonet_figure(study.model, sets), "fig_2_1", "Poles sampled from the printed ranges.");
+    add_traces(sets, study.model.slope.face_dip_direction, sheet, result);
+    sheet.draw(profile_figure(), "fig_2_4", "Failure surfaces between the inclinations surveyed.");
+    sheet.draw(plan_figure(), "fig_2_6",
+               "Which cracks lie on which bench, and how pegs moved, is told by the text "
+               "(2.2.3, 2.2.3.4); where along the crest is not printed.");
     struct Drawing {
         std::string_view model;
         std::string title;
@@ -376,24 +372,22 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
         if (drawing.file == "fig_2_7") {
             add_undercutting(figure);
         }
-        report.blocks.emplace_back(folder.draw(figure, drawing.file, drawing.caption));
+        sheet.draw(figure, drawing.file, drawing.caption);
     }
-    report.blocks.emplace_back(folder.draw(
-        fault_figure(), "fig_2_10_faults",
-        "Two groups are printed, 0, 30, 45, 60, 90 and 45, 70 deg; of the bars that mark dips into the slope "
-        "no more than that of the 45 deg of Plate 2.II is sure. Drawn with the first group into the slope, the "
-        "second, as joint A and the boundary of the slates, to the pit."));
-    report.blocks.emplace_back(folder.draw(
-        water_figure(), "fig_2_15",
-        "Angles are those of the resultant from the vertical. Forces to scale: U from the tilt of 47.5° when "
-        "the joint is full."));
+    sheet.draw(fault_figure(), "fig_2_10_faults",
+               "Two groups are printed, 0, 30, 45, 60, 90 and 45, 70 deg; of the bars that mark dips into the slope "
+               "no more than that of the 45 deg of Plate 2.II is sure. Drawn with the first group into the slope, the "
+               "second, as joint A and the boundary of the slates, to the pit.");
+    sheet.draw(water_figure(), "fig_2_15",
+               "Angles are those of the resultant from the vertical. Forces to scale: U from the tilt of 47.5° when "
+               "the joint is full.");
     // The knee lies a third of the way up; between the gentlest and the steepest surfaces the top moves by this much.
     const double wide = surface(degrees(40), degrees(70)).back().x() - surface(degrees(45), degrees(75)).back().x();
     result.rows.push_back({"top of the failure behind its foot", "40 to 45° and 70 to 75°",
                            human_number(surface(degrees(45), degrees(75)).back().x(), 3) + " to " +
                                human_number(surface(degrees(40), degrees(70)).back().x(), 3) + " ft",
                            human_number(wide, 2) + " ft", "what the inclinations leave open"});
-    report.blocks.emplace_back(printed_table("The printed inclinations", result.rows));
+    sheet.add(printed_table("The printed inclinations", result.rows));
     return result;
 }
 

@@ -302,11 +302,11 @@ RankCorrelation rank_correlation(const std::vector<double>& parameter, const std
     return {value, 2 * gsl_cdf_tdist_Q(std::abs(value) * std::sqrt(freedom / unexplained), freedom)};
 }
 
-Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_trends(const Sheet& sheet) {
     std::vector<Variation> series = all_series();
     const std::vector<PrintedTrend> trends = rows_of<PrintedTrend>();
     std::vector<std::optional<Response>> made(series.size() * points * members);
-    run_part(folder, {"slopes", 0, 1}, made.size(), [&](std::size_t task) {
+    run_part(sheet.folder, {"slopes", 0, 1}, made.size(), [&](std::size_t task) {
         const std::size_t trial = task / members;
         made[task] = respond(series[trial / points].trial[trial % points], task % members);
     });
@@ -347,19 +347,17 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
         }
     }
     add_widths(series[series.size() - 2], series.back(), result);
-    report.blocks.emplace_back(Heading{"Figs 2.11 to 2.14: what dimensions of the slope do (2.3.4)"});
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(Heading{"Figs 2.11 to 2.14: what dimensions of the slope do (2.3.4)"});
+    sheet.add(Paragraph{
         "The significance is that of the rank correlation over all slopes of a parameter. Above 0.1, or where the "
-        "means "
-        "differ by less than a tenth of a column or 2 deg, no change is stated. Joints have 25° of friction, with "
-        "which the model of Plate 2.III fails as the thesis's "
-        "did. The fault is that of Plate 2.VI, on which joint B ends, turned about where it comes out in the face; "
-        "which way the faults dip is not legible, nor what was varied together in Figs 2.13 and 2.14. The thesis "
-        "counted whole columns of mostly two slopes and could not see less than half of one. Runs that stopped "
-        "without an answer: " +
+        "means differ by less than a tenth of a column or 2 deg, no change is stated. Joints have 25° of friction, "
+        "with which the model of Plate 2.III fails as the thesis's did. The fault is that of Plate 2.VI, on which "
+        "joint B ends, turned about where it comes out in the face; which way the faults dip is not legible, nor what "
+        "was varied together in Figs 2.13 and 2.14. The thesis counted whole columns of mostly two slopes and could "
+        "not see less than half of one. Runs that stopped without an answer: " +
         std::to_string(stopped) + " of " + std::to_string(made.size()) + "."});
-    report.blocks.emplace_back(printed_table("Conclusions (i) to (iv)", result.rows));
-    report.blocks.emplace_back(table);
+    sheet.add(printed_table("Conclusions (i) to (iv)", result.rows));
+    sheet.add(table);
     // One vertical axis in all figures of a response.
     const auto range = [&](double Response::*value, double unit) {
         double top = 0;
@@ -378,14 +376,12 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
     const std::string slopes = " of " + std::to_string(members) + " slopes at each value.";
     for (std::size_t index = 0; index < series.size(); ++index) {
         const std::string name = "trend_" + std::to_string(index + 1);
-        report.blocks.emplace_back(
-            folder.draw(figure_of(series[index], columns), name, "Failed columns at the ground" + slopes));
+        sheet.draw(figure_of(series[index], columns), name, "Failed columns at the ground" + slopes);
         // Conclusion (iv) is on this angle.
         if (std::ranges::any_of(trends, [&](const PrintedTrend& printed) {
                 return printed.parameter == series[index].parameter && printed.response != "failed_columns";
             })) {
-            report.blocks.emplace_back(
-                folder.draw(figure_of(series[index], angle), name + "_angle", "Angle of the lower surface" + slopes));
+            sheet.draw(figure_of(series[index], angle), name + "_angle", "Angle of the lower surface" + slopes);
         }
     }
     return result;

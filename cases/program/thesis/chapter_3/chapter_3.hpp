@@ -13,12 +13,12 @@ inline constexpr std::pair heights_of_equal_columns{1.5, 9.5};  // in
 inline constexpr std::pair tilts_of_equal_columns{5.0, 31.0};
 inline constexpr std::pair tilts_of_rows{5.0, 39.0};
 
-Reproduction reproduce_base_friction_run(const ResultFolder& folder, Report& report);
-Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report);
-Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& report);
-Reproduction reproduce_tilting_runs(const ResultFolder& folder, Report& report);
-Reproduction reproduce_fig_3_2(const ResultFolder& folder, Report& report);
-Reproduction reproduce_fig_3_6(const ResultFolder& folder, Report& report);
-Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report);
+Reproduction reproduce_base_friction_run(const Sheet& sheet);
+Reproduction reproduce_table_3_2(const Sheet& sheet);
+Reproduction reproduce_base_friction_plates(const Sheet& sheet);
+Reproduction reproduce_tilting_runs(const Sheet& sheet);
+Reproduction reproduce_fig_3_2(const Sheet& sheet);
+Reproduction reproduce_fig_3_6(const Sheet& sheet);
+Reproduction reproduce_fig_3_7(const Sheet& sheet);
 
 }  // namespace delabole

@@ -260,16 +260,16 @@ Figure crack_figure(const BaseFrictionState& state, double printed, const Relaxa
 
 }  // namespace
 
-Reproduction reproduce_base_friction_run(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_base_friction_run(const Sheet& sheet) {
     constexpr double tolerance = degrees(5);
-    Reproduction result = reproduce_cases("relaxation", {"base_friction_slope"}, "Table 3.2, 15(L)", folder, report);
+    Reproduction result = reproduce_cases("relaxation", {"base_friction_slope"}, "Table 3.2, 15(L)", sheet);
     const States states = rows_of<BaseFrictionState>();
     std::vector<RelaxationRun> made(models_run.size());
     std::vector<BaseFrictionState> state;
     for (const std::string_view test : models_run) {
         state.push_back(*std::ranges::find(states, test, &BaseFrictionState::test));
     }
-    run_part(folder, {"models", 0, 1}, models_run.size(), [&](std::size_t index) {
+    run_part(sheet.folder, {"models", 0, 1}, models_run.size(), [&](std::size_t index) {
         const std::vector<Setting> settings = index == 0 ? std::vector<Setting>{} : cut_as(state[index]);
         made[index] =
             run(std::get<RelaxationStudy>(built_in_case("relaxation", "base_friction_slope", settings).model));
@@ -297,8 +297,8 @@ Reproduction reproduce_base_friction_run(const ResultFolder& folder, Report& rep
         std::string file = "table_3_2_" + one.test;
         std::erase(file, ')');
         std::ranges::replace(file, '(', '_');
-        report.blocks.emplace_back(folder.draw(crack_figure(one, printed, made[index], path), file,
-                                               "Broken rock of the run, its path and the printed one."));
+        sheet.draw(crack_figure(one, printed, made[index], path), file,
+                   "Broken rock of the run, its path and the printed one.");
     }
     // The other models with a face of 80 deg have joints of 80 deg, too.
     double least = degrees(90);
@@ -316,7 +316,7 @@ Reproduction reproduce_base_friction_run(const ResultFolder& folder, Report& rep
     return result;
 }
 
-Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_table_3_2(const Sheet& sheet) {
     const States states = rows_of<BaseFrictionState>();
     Reproduction result;
     result.rows.push_back({"base friction tests, states of models", "over 50", std::to_string(states.size()), "",
@@ -353,12 +353,12 @@ Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
         result.json["behaviour"][std::string(word_of(behaviour))] = number;
     }
     result.json["steep"] = {{"failed", failed}, {"of", steep.size()}};
-    report.blocks.emplace_back(Heading{"Tables 3.1 and 3.2: base friction tests"});
-    report.blocks.emplace_back(
+    sheet.add(Heading{"Tables 3.1 and 3.2: base friction tests"});
+    sheet.add(
         Paragraph{"Statements of sections 3.2 and 3.4.1, counted in the tables. A model that was changed during its "
                   "test has a state for each configuration."});
-    report.blocks.emplace_back(printed_table("Statements and tables", result.rows));
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(printed_table("Statements and tables", result.rows));
+    sheet.add(Paragraph{
         "Runs of all these models in motion do no better than a guess. Neither the tensile strength of the mixture nor "
         "its friction on the steel frame, which restrains the base, is printed. With both fitted to half of the slopes "
         "(4.2 kPa and 22 deg, of 10 to 60 deg tried), 18 of 24 states come out right in the other half, as many as if "
@@ -366,13 +366,12 @@ Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
         "guess gives 34. The strength that fits best goes from 5 kPa at 10 deg to 0.6 kPa at 60 deg. Crack paths of "
         "the two are 6.2 and 5.6 deg off the printed ones (root mean square of 11 and 16), the mean of these as a "
         "guess 3.8 and 4.2 deg. Half of the tests determine nothing of what is not printed."});
-    report.blocks.emplace_back(folder.draw(behaviour_figure(states), "table_3_2",
-                                           "Behaviour over slope angle and height; tests of one geometry side by "
-                                           "side."));
+    sheet.draw(behaviour_figure(states), "table_3_2",
+               "Behaviour over slope angle and height; tests of one geometry side by side.");
     return result;
 }
 
-Reproduction reproduce_fig_3_2(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_fig_3_2(const Sheet& sheet) {
     using Row = SlopeHeightVariation;
     const std::vector<Row> rows = rows_of<SlopeHeightVariation>();
     long right_earlier = 0;
@@ -420,10 +419,10 @@ Reproduction reproduce_fig_3_2(const ResultFolder& folder, Report& report) {
                      })};
     add_marks(times);
     add_marks(angles);
-    report.blocks.emplace_back(Heading{"Fig 3.2 and Table 3.3: slope height"});
-    report.blocks.emplace_back(printed_table("Statements on models 6 to 10", result.rows));
-    report.blocks.emplace_back(folder.draw(angles, "fig_3_2", "Slope angle 60 deg, joint dip 70 deg."));
-    report.blocks.emplace_back(folder.draw(times, "table_3_3_times", "The 12 inch slabs were not consolidated."));
+    sheet.add(Heading{"Fig 3.2 and Table 3.3: slope height"});
+    sheet.add(printed_table("Statements on models 6 to 10", result.rows));
+    sheet.draw(angles, "fig_3_2", "Slope angle 60 deg, joint dip 70 deg.");
+    sheet.draw(times, "table_3_3_times", "The 12 inch slabs were not consolidated.");
     return result;
 }
 

@@ -140,12 +140,12 @@ Figure plate_figure(const std::string& plate, const std::vector<const BaseFricti
 
 }  // namespace
 
-Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_base_friction_plates(const Sheet& sheet) {
     const std::vector<PlateModel> rows = rows_of<PlateModel>();
     const std::vector<BaseFrictionState> states = rows_of<BaseFrictionState>();
     Reproduction result;
-    report.blocks.emplace_back(Heading{"Plates 3.I to 3.XIII, drawn"});
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(Heading{"Plates 3.I to 3.XIII, drawn"});
+    sheet.add(Paragraph{
         "Models of Table 3.2 as they were cut, in the last state that the table tells of, with the critical crack path "
         "at its printed inclination from the toe, or from a fourth of the slope's height above it where the table says "
         "that it did not pass through the toe. The thesis does not print how far the ground in front of the toe went, "
@@ -173,9 +173,9 @@ Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& 
             const std::vector<const BaseFrictionState*> pair(
                 models.begin() + static_cast<std::ptrdiff_t>(first),
                 models.begin() + static_cast<std::ptrdiff_t>(std::min(first + 2, models.size())));
-            report.blocks.emplace_back(folder.draw(
-                plate_figure(plate, pair), models.size() > 2 ? file + "_" + pair.front()->test.substr(0, 1) : file,
-                "The inclination of the path is the printed one."));
+            sheet.draw(plate_figure(plate, pair),
+                       models.size() > 2 ? file + "_" + pair.front()->test.substr(0, 1) : file,
+                       "The inclination of the path is the printed one.");
         }
     }
     return result;

@@ -128,7 +128,7 @@ EqualRows equal_rows() {
 
 }  // namespace
 
-Reproduction reproduce_fig_3_6(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_fig_3_6(const Sheet& sheet) {
     constexpr std::array colours{Colour::grey, Colour::blue, Colour::vermilion, Colour::green};
     constexpr std::array legends{"one column, and any that part", "two, pressed together", "three", "four"};
     EqualRows rows = equal_rows();
@@ -166,10 +166,10 @@ Reproduction reproduce_fig_3_6(const ResultFolder& folder, Report& report) {
         {"steps", rows.steps}, {"stabler", rows.stabler}, {"less_stable", rows.less_stable}};
     result.json["parted_spread_deg"] = rows.parted_spread / degrees(1);
     result.json["heights_that_slide_on_tin"] = rows.slides_on_tin;
-    report.blocks.emplace_back(Heading{"Fig 3.6: columns of equal height"});
-    report.blocks.emplace_back(printed_table("Statements of 3.3.2.1", result.rows));
-    report.blocks.emplace_back(rows.table);
-    report.blocks.emplace_back(folder.draw(figure, "fig_3_6", "Critical tilt by limit equilibrium."));
+    sheet.add(Heading{"Fig 3.6: columns of equal height"});
+    sheet.add(printed_table("Statements of 3.3.2.1", result.rows));
+    sheet.add(rows.table);
+    sheet.draw(figure, "fig_3_6", "Critical tilt by limit equilibrium.");
     return result;
 }
 
@@ -332,7 +332,7 @@ Figure heights_figure(const std::vector<RowOfHeights>& rows, double friction, do
 
 }  // namespace
 
-Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_fig_3_7(const Sheet& sheet) {
     const double tilt = angle_of("nine_columns_crack");
     const std::optional<double> fitted = friction_of_nine_columns(tilt);
     const double friction = fitted.value_or(degrees(30));
@@ -371,16 +371,16 @@ Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report) {
     result.json["friction_deg"] = friction / degrees(1);
     result.json["friction_found"] = fitted.has_value();
     result.json["crack"] = nine.crack();
-    report.blocks.emplace_back(Heading{"Fig 3.7 and Plate 3.XIV: columns of growing and falling height"});
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(Heading{"Fig 3.7 and Plate 3.XIV: columns of growing and falling height"});
+    sheet.add(Paragraph{
         "One friction everywhere, solved from the tilt at which the nine columns of Plate 3.XIV cracked; all else is "
         "predicted. A crack in front of the 3 inch column says that the 4 inch column has turned, which by itself it "
         "does from 14.04 deg on: the rows of 13 to 17 columns must have stood up to that tilt, at more friction than "
         "this one. Where no tilt is given, no motion among those examined is admissible."});
-    report.blocks.emplace_back(printed_table("Statements of 3.3.2.2", result.rows));
-    report.blocks.emplace_back(heights_table(rows, result.json));
-    report.blocks.emplace_back(folder.draw(heights_figure(rows, friction, tilt), "fig_3_7",
-                                           "The thesis takes the two grey curves for the limits of instability."));
+    sheet.add(printed_table("Statements of 3.3.2.2", result.rows));
+    sheet.add(heights_table(rows, result.json));
+    sheet.draw(heights_figure(rows, friction, tilt), "fig_3_7",
+               "The thesis takes the two grey curves for the limits of instability.");
     return result;
 }
 

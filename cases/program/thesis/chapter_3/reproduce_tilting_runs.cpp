@@ -120,13 +120,13 @@ std::string angle_in_words(double angle) {
     return human_number(angle / degrees(1), 3) + " deg";
 }
 
-void add_single_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
+void add_single_columns(const Sheet& sheet, Reproduction& result) {
     constexpr double wear = 0.022;   // in: a column of 2 in then fails a degree early
     constexpr double offset = 0.04;  // in
     std::vector<Curve> curves = {
         {"one piece, worn edges", Colour::blue, places(least_height, most_height)},
         {"cubes, worn edges, out of line", Colour::vermilion, places(least_height, most_height)}};
-    sample(curves, samples, folder, {"single columns", 0, 0.2},
+    sample(curves, samples, sheet.folder, {"single columns", 0, 0.2},
            [&](std::size_t number, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
                const bool cubes = number == 1;
                if (!cubes && seed > 1) {
@@ -170,10 +170,10 @@ void add_single_columns(const ResultFolder& folder, Report& report, Reproduction
     draw_curves(figure, curves);
     figure.x.range = std::pair{1.72, 9.28};
     figure.y.range = tilts_of_single_columns;
-    report.blocks.emplace_back(folder.draw(figure, "fig_3_4_runs", "Fig 3.4; the tests' points are not printed."));
+    sheet.draw(figure, "fig_3_4_runs", "Fig 3.4; the tests' points are not printed.");
 }
 
-void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
+void add_equal_columns(const Sheet& sheet, Reproduction& result) {
     constexpr std::array colours{Colour::grey, Colour::blue, Colour::vermilion, Colour::green};
     constexpr std::array legends{"one column", "two", "three", "four"};
     std::vector<Curve> curves;
@@ -182,7 +182,7 @@ void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction&
     }
     curves.push_back({"two on tin", Colour::purple, places(least_height, most_height)});
     const double tin = degrees(18);
-    sample(curves, samples, folder, {"equal columns", 0.2, 0.55},
+    sample(curves, samples, sheet.folder, {"equal columns", 0.2, 0.55},
            [&](std::size_t number, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
                const bool on_tin = number == 4;
                FrameRow row{std::vector<double>(on_tin ? 2 : number + 1, at.x), scattered_plaster_friction(), seed};
@@ -194,7 +194,7 @@ void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction&
                return failure ? std::optional(failure->tilt) : std::nullopt;
            });
     std::vector<Curve> even(legends.size(), {"", Colour::black, places(least_height, most_height)});
-    sample(even, 1, folder, {"equal columns without scatter", 0.55, 0.6},
+    sample(even, 1, sheet.folder, {"equal columns without scatter", 0.55, 0.6},
            [&](std::size_t number, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
                FrameRow row{std::vector<double>(number + 1, at.x), scattered_plaster_friction(), seed};
                row.friction.deviation = 0;
@@ -231,11 +231,10 @@ void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction&
     draw_curves(figure, curves);
     figure.x.range = heights_of_equal_columns;
     figure.y.range = tilts_of_equal_columns;
-    report.blocks.emplace_back(
-        folder.draw(figure, "fig_3_6_runs", "Fig 3.6: means of " + std::to_string(samples) + " rows each."));
+    sheet.draw(figure, "fig_3_6_runs", "Fig 3.6: means of " + std::to_string(samples) + " rows each.");
 }
 
-void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) {
+void add_rows(const Sheet& sheet, Reproduction& result) {
     constexpr int least = 3;
     constexpr int most = 18;
     std::vector<Curve> curves = {{"rows", Colour::blue, places(least, most)}};
@@ -269,10 +268,10 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
         }
         return std::min(failure->tilt, failure->crack_tilt);
     };
-    sample(curves, 2, folder, {"rows of growing and falling height", 0.6, 0.85},
+    sample(curves, 2, sheet.folder, {"rows of growing and falling height", 0.6, 0.85},
            [&](std::size_t, const Sampled& at, std::uint64_t seed) { return crack_tilt(at, true, seed, scattered); });
     std::vector<Curve> without_scatter = {{"", Colour::black, places(least, most)}};
-    sample(without_scatter, 1, folder, {"rows without scatter", 0.85, 1},
+    sample(without_scatter, 1, sheet.folder, {"rows without scatter", 0.85, 1},
            [&](std::size_t, const Sampled& at, std::uint64_t seed) { return crack_tilt(at, false, seed, even); });
     const auto steps_down = [](const std::vector<Sampled>& rows) {
         int falling = 0;
@@ -308,7 +307,7 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
     figure.series.emplace_back(
         Points{.points = {{9, 16}}, .legend = "printed: nine columns, 16°", .colour = Colour::vermilion});
     figure.y.range = tilts_of_rows;
-    report.blocks.emplace_back(folder.draw(figure, "fig_3_7_runs", "Fig 3.7: means of two rows each."));
+    sheet.draw(figure, "fig_3_7_runs", "Fig 3.7: means of two rows each.");
 }
 
 // The last frame up to that tilt.
@@ -393,7 +392,7 @@ void point_at_crack(const RelaxationRun& made, const MotionFrame& frame, std::si
 
 // Plate 3.XIV: the friction between columns is chosen to match what is printed, that on the base is the middle of what
 // was measured.
-void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
+void add_nine_columns(const Sheet& sheet, Reproduction& result) {
     constexpr std::size_t columns = 9;
     FrameRow row{growing_and_falling(columns), scattered_plaster_friction(), 0};
     row.friction.deviation = 0;
@@ -438,22 +437,22 @@ void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& 
         }
     }
     set_one_scale(figures);
-    report.blocks.emplace_back(folder.draw(figures[0], "plate_3_xiv_crack", "Gravity downwards; F: the base."));
-    report.blocks.emplace_back(folder.draw(figures[1], "plate_3_xiv_30_deg", "Gravity downwards; F: the base."));
-    report.blocks.emplace_back(folder.draw(figures[2], "plate_3_xiv_end", "Gravity downwards; F: the base."));
+    sheet.draw(figures[0], "plate_3_xiv_crack", "Gravity downwards; F: the base.");
+    sheet.draw(figures[1], "plate_3_xiv_30_deg", "Gravity downwards; F: the base.");
+    sheet.draw(figures[2], "plate_3_xiv_end", "Gravity downwards; F: the base.");
 }
 
 }  // namespace
 
-Reproduction reproduce_tilting_runs(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_tilting_runs(const Sheet& sheet) {
     Reproduction result;
     stop_if_interrupted();
-    report.blocks.emplace_back(Heading{"The tilting frame as runs"});
-    add_single_columns(folder, report, result);
-    add_equal_columns(folder, report, result);
-    add_rows(folder, report, result);
-    add_nine_columns(folder, report, result);
-    report.blocks.emplace_back(printed_table("Statements of section 3.3", result.rows));
+    sheet.add(Heading{"The tilting frame as runs"});
+    add_single_columns(sheet, result);
+    add_equal_columns(sheet, result);
+    add_rows(sheet, result);
+    add_nine_columns(sheet, result);
+    sheet.add(printed_table("Statements of section 3.3", result.rows));
     return result;
 }
 

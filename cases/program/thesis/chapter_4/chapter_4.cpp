@@ -14,12 +14,11 @@ namespace delabole {
 
 namespace {
 
-Reproduction reproduce_fig_4_1(const ResultFolder& folder, Report& report) {
-    Reproduction result = reproduce_cases("thesis/chapter_4", {"fig_4_1"}, "Fig 4.1", folder, report);
-    report.blocks.emplace_back(
-        folder.draw(mode_chart_figure(single_block_chart(degrees(35), BlockCriteria::superposed_static,
-                                                         "Fig 4.1: static criteria, friction 35 deg")),
-                    "fig_4_1_static", "As printed: sliding and toppling criteria superposed."));
+Reproduction reproduce_fig_4_1(const Sheet& sheet) {
+    Reproduction result = reproduce_cases("thesis/chapter_4", {"fig_4_1"}, "Fig 4.1", sheet);
+    sheet.draw(mode_chart_figure(single_block_chart(degrees(35), BlockCriteria::superposed_static,
+                                                    "Fig 4.1: static criteria, friction 35 deg")),
+               "fig_4_1_static", "As printed: sliding and toppling criteria superposed.");
     return result;
 }
 

@@ -10,12 +10,12 @@
 
 namespace delabole {
 
-Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report);
-Reproduction reproduce_force_between_two_blocks(const ResultFolder& folder, Report& report);
+Reproduction reproduce_fig_4_7(const Sheet& sheet);
+Reproduction reproduce_force_between_two_blocks(const Sheet& sheet);
 
-Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report);
-Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report);
-Reproduction reproduce_equations_14_to_19(const ResultFolder& folder, Report& report);
+Reproduction reproduce_fig_4_9(const Sheet& sheet);
+Reproduction reproduce_fig_4_10(const Sheet& sheet);
+Reproduction reproduce_equations_14_to_19(const Sheet& sheet);
 
 // Makes blocks of width 1 m and equal weight; angles of friction are in degrees.
 BlockRow equal_row(int count, double slenderness, double interface_friction, double base_friction);

@@ -137,7 +137,7 @@ Line mode_line(double slenderness, const std::string& legend, Colour colour, Das
 
 }  // namespace
 
-Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_fig_4_9(const Sheet& sheet) {
     constexpr std::array<std::string_view, 3> printed{"3", "5", "7"};
     Reproduction result;
     Table table{"Modes in which every block turns; a/b = 3, interface 20 deg, base 30 deg",
@@ -155,29 +155,27 @@ Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report) {
             result.json["modes_of_" + words + "_blocks"].push_back(mode.roles);
         }
     }
-    report.blocks.emplace_back(Heading{"Fig 4.9: the modes of three and four blocks"});
-    report.blocks.emplace_back(
+    sheet.add(Heading{"Fig 4.9: the modes of three and four blocks"});
+    sheet.add(
         Paragraph{"The figure is lost, its counts are in the text. Blocks that turn by one angle with faces in contact "
                   "need more room along the plane, so their toes move apart: from below, first toes that slide forward "
                   "(F), then at most one that does not slide (P), then toes that slide backward (B). N blocks have N "
                   "modes with a pivot and N - 1 without, 2N - 1 in all: the counts of the text."});
-    report.blocks.emplace_back(printed_table("Counts", result.rows));
-    report.blocks.emplace_back(folder.draw(mode_gallery(3), "fig_4_9_three",
-                                           "The five modes of three blocks, with the letters of (14) to (17) and (e) "
-                                           "for the fifth; arrows show which way a "
-                                           "toe slides, not how far."));
-    report.blocks.emplace_back(folder.draw(
-        mode_gallery(4), "fig_4_9_four",
-        "The seven modes of four blocks, whose letters in the thesis are not legible; arrows show which way a toe "
-        "slides, not how far."));
-    report.blocks.emplace_back(table);
+    sheet.add(printed_table("Counts", result.rows));
+    sheet.draw(mode_gallery(3), "fig_4_9_three",
+               "The five modes of three blocks, with the letters of (14) to (17) and (e) for the fifth; arrows show "
+               "which way a toe slides, not how far.");
+    sheet.draw(mode_gallery(4), "fig_4_9_four",
+               "The seven modes of four blocks, whose letters in the thesis are not legible; arrows show which way a "
+               "toe slides, not how far.");
+    sheet.add(table);
     return result;
 }
 
-Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_fig_4_10(const Sheet& sheet) {
     Reproduction result;
-    report.blocks.emplace_back(Heading{"Fig 4.10: three blocks, one friction angle"});
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(Heading{"Fig 4.10: three blocks, one friction angle"});
+    sheet.add(Paragraph{
         "Mode (a) is FFP, (b) FPB, (c) PBB. The printed (14) is the formula of two blocks and lies below FFP as "
         "derived; so (a) is the least stable one only up to a friction angle that falls as the columns get taller."});
     for (const int ratio : {3, 5, 7}) {
@@ -192,7 +190,7 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
             mode_line(ratio, "(b) FPB, (15)", Colour::green, Dash::solid, closed_form::three_blocks_forward_backward));
         figure.series.emplace_back(
             mode_line(ratio, "(c) PBB, (16)", Colour::vermilion, Dash::solid, closed_form::three_blocks_two_backward));
-        report.blocks.emplace_back(folder.draw(figure, "fig_4_10_ratio_" + words, "Tilt by mode, blocks in contact."));
+        sheet.draw(figure, "fig_4_10_ratio_" + words, "Tilt by mode, blocks in contact.");
         const auto line = [&](std::size_t index) -> const Polyline& {
             return std::get<Line>(figure.series[index]).points;
         };
@@ -231,11 +229,11 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
                                statement(highest_up_to >= 45) + (highest_up_to < 45 ? ": only below that" : "")});
         result.json["ratio_" + words] = {{"least_stable", derived}, {"backward_mode_highest_up_to_deg", highest_up_to}};
     }
-    report.blocks.emplace_back(printed_table("Statements on Fig 4.10", result.rows));
+    sheet.add(printed_table("Statements on Fig 4.10", result.rows));
     return result;
 }
 
-Reproduction reproduce_equations_14_to_19(const ResultFolder&, Report& report) {
+Reproduction reproduce_equations_14_to_19(const Sheet& sheet) {
     namespace form = closed_form;
     constexpr double a = 3;
     constexpr double b = 1;
@@ -289,11 +287,10 @@ Reproduction reproduce_equations_14_to_19(const ResultFolder&, Report& report) {
                                " deg, beyond which those above cannot hold the lowest block; (14) leaves the third "
                                "block out of the thrusts"});
     result.json["ceiling_deg"] = in_degrees(ceiling);
-    report.blocks.emplace_back(Heading{"Equations (14) to (19): three and four blocks"});
-    report.blocks.emplace_back(
-        Paragraph{"Printed and derived tilts for a/b = 3, an interface of 20 deg and a base of 30 deg."});
-    report.blocks.emplace_back(printed_table("Printed against derived", result.rows));
-    report.blocks.emplace_back(stability);
+    sheet.add(Heading{"Equations (14) to (19): three and four blocks"});
+    sheet.add(Paragraph{"Printed and derived tilts for a/b = 3, an interface of 20 deg and a base of 30 deg."});
+    sheet.add(printed_table("Printed against derived", result.rows));
+    sheet.add(stability);
     return result;
 }
 

@@ -155,7 +155,7 @@ PrintedRow count_row(const std::string& what, const std::string& printed, int me
 
 }  // namespace
 
-Reproduction reproduce_force_between_two_blocks(const ResultFolder&, Report& report) {
+Reproduction reproduce_force_between_two_blocks(const Sheet& sheet) {
     constexpr double slenderness = 3;
     constexpr double phi = 20;
     constexpr double psi = 35;
@@ -186,16 +186,16 @@ Reproduction reproduce_force_between_two_blocks(const ResultFolder&, Report& rep
     result.rows.push_back({"forward: greatest φ = ψ with S compressive", "45 deg", human_number(greatest, 4) + " deg",
                            difference_in_words(greatest - 45) + " deg", statement(std::abs(greatest - 45) < 1e-6)});
     result.json["greatest_equal_friction_deg"] = greatest;
-    report.blocks.emplace_back(Heading{"Equations (12) and (13): the force between two blocks"});
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(Heading{"Equations (12) and (13): the force between two blocks"});
+    sheet.add(Paragraph{
         "S is the thrust between two equal blocks. Its signs were computed on a grid of φ from 5 to 85 deg, ψ from 2.5 "
         "to 87.5 deg and a/b = 1.5, 3 and 9, each at the tilt at which the mode begins; backward where it has one. "
         "From φ + ψ = 90 deg on, a thrust lies within the friction cone of the base and pushes no block forward."});
-    report.blocks.emplace_back(printed_table("Force between two blocks", result.rows));
+    sheet.add(printed_table("Force between two blocks", result.rows));
     return result;
 }
 
-Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report) {
+Reproduction reproduce_fig_4_7(const Sheet& sheet) {
     constexpr double slenderness = 9;
     constexpr double equal = 0.5;
     Reproduction result;
@@ -232,12 +232,12 @@ Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report) {
     figure.series.emplace_back(equal_weights);
     figure.height = 580;  // the curves lie close together at the marks
     mark_printed_boundaries(figure, best);
-    report.blocks.emplace_back(Heading{"Fig 4.7: two blocks, a/b = 9"});
-    report.blocks.emplace_back(Paragraph{
+    sheet.add(Heading{"Fig 4.7: two blocks, a/b = 9"});
+    sheet.add(Paragraph{
         "The boundary between the modes depends on the weights. Each printed boundary alone gives a ratio of the "
         "weights; the two agree to 0.001, so that an upper block 4 % heavier than the lower one explains both."});
-    report.blocks.emplace_back(printed_table("Boundary between forward and backward mode", result.rows));
-    report.blocks.emplace_back(folder.draw(figure, "fig_4_7", "The lower curve of each pair governs."));
+    sheet.add(printed_table("Boundary between forward and backward mode", result.rows));
+    sheet.draw(figure, "fig_4_7", "The lower curve of each pair governs.");
     return result;
 }
 

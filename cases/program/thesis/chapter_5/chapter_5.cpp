@@ -253,13 +253,13 @@ void compute_part(const ReportRow& row, Chapter5Item& item, Report& report) {
     item.starts = row.cycles.empty() ? 0 : std::stoi(row.cycles);
     computation(row.name)(item);
     if (!item.table.rows.empty()) {
-        report.blocks.emplace_back(item.table);
+        report.add(item.table);
     }
     std::ranges::move(std::exchange(item.below, {}).blocks, std::back_inserter(report.blocks));
 }
 
-Reproduction reproduce_item(const std::string& name, const ResultFolder& folder, Report& report) {
-    Chapter5Item item{folder};
+Reproduction reproduce_item(const std::string& name, const Sheet& sheet) {
+    Chapter5Item item{sheet.folder};
     const std::vector<Figure> frames = frames_of(name);
     auto frame = frames.begin();
     for (const ReportRow& row : report_rows()) {
@@ -271,13 +271,13 @@ Reproduction reproduce_item(const std::string& name, const ResultFolder& folder,
         case ReportPart::item:
             break;
         case ReportPart::heading:
-            report.blocks.emplace_back(Heading{row.text});
+            sheet.add(Heading{row.text});
             break;
         case ReportPart::subheading:
-            report.blocks.emplace_back(Heading{row.text, 3});
+            sheet.add(Heading{row.text, 3});
             break;
         case ReportPart::paragraph:
-            report.blocks.emplace_back(Paragraph{row.text});
+            sheet.add(Paragraph{row.text});
             break;
         case ReportPart::outcomes:
             add_outcomes(row.text, item.runs, item.result);
@@ -289,23 +289,22 @@ Reproduction reproduce_item(const std::string& name, const ResultFolder& folder,
             add_settled(row.text, row.title, item.runs, item.result);
             break;
         case ReportPart::table:
-            report.blocks.emplace_back(table_of_group(row.title, row.name, item.runs));
+            sheet.add(table_of_group(row.title, row.name, item.runs));
             break;
         case ReportPart::behaviour:
             add_behaviour(row.text, row.title, item.runs.front(), item.result);
             break;
         case ReportPart::frames:
-            report.blocks.emplace_back(folder.draw(*frame++, row.name, row.text));
+            sheet.draw(*frame++, row.name, row.text);
             break;
         case ReportPart::swings:
-            report.blocks.emplace_back(
-                folder.draw(swings_figure(row.title, item.runs, std::stoi(row.cycles)), row.name, row.text));
+            sheet.draw(swings_figure(row.title, item.runs, std::stoi(row.cycles)), row.name, row.text);
             break;
         case ReportPart::computation:
-            compute_part(row, item, report);
+            compute_part(row, item, sheet.report);
             break;
         case ReportPart::rows:
-            report.blocks.emplace_back(printed_table(row.title, item.result.rows));
+            sheet.add(printed_table(row.title, item.result.rows));
             break;
         }
     }
@@ -315,7 +314,7 @@ Reproduction reproduce_item(const std::string& name, const ResultFolder& folder,
 }  // namespace
 
 void Chapter5Item::draw(const Figure& figure, const std::string& name, const std::string& caption) {
-    below.blocks.emplace_back(folder.draw(figure, name, caption));
+    below.add(folder.draw(figure, name, caption));
 }
 
 std::string outcome_in_words(const HockingResult& result) {
@@ -404,10 +403,8 @@ ReproductionChapter chapter_5() {
         "chapter5", "dynamic relaxation, chapter 5", "Thesis, chapter 5: printed and computed", {}};
     for (const ReportRow& row : report_rows()) {
         if (row.part == ReportPart::item) {
-            chapter.items.push_back(
-                {row.item, row.title, row.text, [name = row.item](const ResultFolder& folder, Report& report) {
-                     return reproduce_item(name, folder, report);
-                 }});
+            chapter.items.push_back({row.item, row.title, row.text,
+                                     [name = row.item](const Sheet& sheet) { return reproduce_item(name, sheet); }});
         }
     }
     return chapter;

@@ -140,7 +140,7 @@ void add_history(const Chapter5Run& run, const HockingResult& reference, const s
     result.rows.push_back(
         {run.name + ": first row that shorter words or blocks listed from the last change, and rows as printed", "",
          parted, "", ""});
-    item.below.blocks.emplace_back(history_table(run, printed, starts));
+    item.below.add(history_table(run, printed, starts));
     item.draw(
         history_lanes(run, printed, starts), "table_" + run.name.substr(6, 1) + "_" + run.name.substr(8),
         "Forward above a block's line, backward below it: printed, and by the re-created program from many starts.");
