@@ -103,14 +103,13 @@ Reproduction reproduce_thesis_program(const Sheet& sheet) {
     const double below = columns.block[crack - 1].height;
     const double above = columns.block[crack].height;
     Reproduction reproduction;
-    reproduction.rows.push_back(
+    reproduction.add(
         {"friction angle for limiting equilibrium by the algorithm of program CAL", "41.14 deg",
          in_six_digits(angle, Dimension::angle), difference_in_words(angle / degrees(1) - 41.14) + " deg",
          program.converged ? std::to_string(program.iterations) + " values of friction tried" : "did not converge"});
-    reproduction.rows.push_back(
-        {"heights beside the crack against dx cot(alpha)", "y* < dx cot(alpha) < y**",
-         number_in_words(above) + " < " + number_in_words(toppling_height) + " < " + number_in_words(below), "",
-         statement(above < toppling_height && toppling_height < below)});
+    reproduction.add("heights beside the crack against dx cot(alpha)", "y* < dx cot(alpha) < y**",
+                     number_in_words(above) + " < " + number_in_words(toppling_height) + " < " + number_in_words(below),
+                     statement(above < toppling_height && toppling_height < below));
     sheet.add(Heading{"Appendix A: program CAL"});
     sheet.add(printed_table("Printed in Appendix A, and computed by its algorithm", reproduction.rows));
     sheet.add(Paragraph{

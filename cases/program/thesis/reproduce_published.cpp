@@ -251,7 +251,7 @@ Reproduction reproduce_factors(const Sheet& sheet) {
         for (const PathValue& other : problem.answer.other) {
             append_mechanism(sheet, problem, other);
         }
-        result.rows.push_back(printed_row(problem));
+        result.add(printed_row(problem));
         result.json["problems"].push_back(json_of(problem));
     }
     return result;

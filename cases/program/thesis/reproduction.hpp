@@ -50,6 +50,13 @@ struct PrintedRow {
 struct Reproduction {
     Json json;
     std::vector<PrintedRow> rows;
+
+    void add(PrintedRow row) { rows.push_back(std::move(row)); }
+    // A row without a difference.
+    void add(const std::string& what, const std::string& printed, const std::string& computed, const Remark& remark,
+             const std::string& clean = {}) {
+        rows.push_back({what, printed, computed, "", remark, clean});
+    }
 };
 
 // An item that takes minutes is computed where it or its chapter is named, not with all of the thesis.

@@ -67,17 +67,16 @@ Reproduction reproduce_fig_2_8(const Sheet& sheet) {
         throw std::logic_error("fig2.8: no depth of crack meets the printed statement");
     }
     Reproduction result;
-    result.rows.push_back({"FS, crack two thirds full, c = 30 lbf/in2", "1 (unstable beyond)",
-                           readable_quantity(solution.state.factor_of_safety, Dimension::ratio),
-                           difference_in_words(solution.state.factor_of_safety - 1), "z is solved for this statement"});
-    result.rows.push_back({"FS, crack half full, c = 0", "more than 1 (stable)",
-                           number_in_words(solution.factor_half_full), "", statement(solution.factor_half_full > 1)});
+    result.add({"FS, crack two thirds full, c = 30 lbf/in2", "1 (unstable beyond)",
+                readable_quantity(solution.state.factor_of_safety, Dimension::ratio),
+                difference_in_words(solution.state.factor_of_safety - 1), "z is solved for this statement"});
+    result.add("FS, crack half full, c = 0", "more than 1 (stable)", number_in_words(solution.factor_half_full),
+               statement(solution.factor_half_full > 1));
     constexpr double intact = 20;  // MN/m2, the least of Richards's strengths
     const double stress = 27e3 * 225 * foot / 1e6;
-    result.rows.push_back(
-        {"(a) stress below 225 ft of slate of 27 kN/m3", "2 MN/m2, several times below 20",
-         human_number(stress, 3) + " MN/m2", human_number(stress - 2, 2) + " MN/m2",
-         statement(intact > 3 * stress) + ": strength over stress " + human_number(intact / stress, 3)});
+    result.add({"(a) stress below 225 ft of slate of 27 kN/m3", "2 MN/m2, several times below 20",
+                human_number(stress, 3) + " MN/m2", human_number(stress - 2, 2) + " MN/m2",
+                statement(intact > 3 * stress) + ": strength over stress " + human_number(intact / stress, 3)});
     sheet.add(Heading{"Fig 2.8: plane failure with a crack in the face"});
     sheet.add(
         Paragraph{"H, z and the unit weight are not printed. H is taken between the printed levels 575 and 350 ft; z "

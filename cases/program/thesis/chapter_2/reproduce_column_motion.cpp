@@ -124,8 +124,7 @@ void compare(Reproduction& result, const std::string& what, const std::string& p
              const std::vector<const ColumnMotion*>& needed, bool met) {
     const bool comparable =
         std::ranges::all_of(needed, [](const ColumnMotion* motion) { return motion->time.has_value(); });
-    result.rows.push_back(
-        {what, printed, computed, "", comparable ? statement(met) : Remark("not compared: it comes to rest")});
+    result.add(what, printed, computed, comparable ? statement(met) : Remark("not compared: it comes to rest"));
 }
 
 // At one movement, where the last is said to topple most.

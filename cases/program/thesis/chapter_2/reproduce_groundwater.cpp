@@ -129,9 +129,9 @@ TopplingOrder toppling_order(const std::vector<double>& frictions) {
 
 void add_observation_1(const GroundwaterTest& mixture, const GroundwaterTest& cork, Reproduction& result) {
     const double quicker = driving_force(mixture) / driving_force(cork) - 1;
-    result.rows.push_back({"1: friction 40 to 41 against 42 to 44 deg, dry", "mixture fails quicker",
-                           human_number(100 * quicker, 2) + " % more driving force", "",
-                           statement(quicker > 0) + " in sense by the friction, as is cork's toppling by 4"});
+    result.add("1: friction 40 to 41 against 42 to 44 deg, dry", "mixture fails quicker",
+               human_number(100 * quicker, 2) + " % more driving force",
+               statement(quicker > 0) + " in sense by the friction, as is cork's toppling by 4");
     result.json["mixture_over_cork"] = quicker;
 }
 
@@ -141,21 +141,20 @@ void add_observation_2(const ColumnTilt& full, Reproduction& result) {
         const GroundwaterTest half = tests_with(material, degrees(12)).front();
         const double dry_force = driving_force(dry);
         const double half_force = driving_force(half);
-        result.rows.push_back({"2: " + std::string(material) + ", half saturated", "fails quicker than dry",
-                               human_number(dry_force, 3) + " dry, " + human_number(half_force, 3) + " half saturated",
-                               "", statement(half_force > dry_force) + " (driving force over weight)"});
+        result.add("2: " + std::string(material) + ", half saturated", "fails quicker than dry",
+                   human_number(dry_force, 3) + " dry, " + human_number(half_force, 3) + " half saturated",
+                   statement(half_force > dry_force) + " (driving force over weight)");
         result.json["driving_force"][std::string(material)] = {{"dry", dry_force}, {"half_saturated", half_force}};
     }
     // Water force U on the joint takes the place of its reaction where U = W cos d; U grows with the square of the
     // depth.
     const double leaving = std::sqrt(std::cos(joint_a_dip) / full.water_force_over_weight);
-    result.rows.push_back({"2: fully saturated", "column hangs over",
-                           "U / W = " + human_number(full.water_force_over_weight, 3) +
-                               ", cos 70 deg = " + human_number(std::cos(joint_a_dip), 3),
-                           "",
-                           statement(full.water_force_over_weight > std::cos(joint_a_dip)) +
-                               ": water lifts the column off the joint once it is filled to " +
-                               human_number(100 * leaving, 3) + " %"});
+    result.add("2: fully saturated", "column hangs over",
+               "U / W = " + human_number(full.water_force_over_weight, 3) +
+                   ", cos 70 deg = " + human_number(std::cos(joint_a_dip), 3),
+               statement(full.water_force_over_weight > std::cos(joint_a_dip)) +
+                   ": water lifts the column off the joint once it is filled to " + human_number(100 * leaving, 3) +
+                   " %");
     result.json["water_force_over_weight"] = full.water_force_over_weight;
     result.json["leaves_joint_at_filled_ratio"] = leaving;
 }
@@ -171,8 +170,8 @@ void add_observation_3(Reproduction& result) {
             words.push_back(human_number(forces.back(), 3) + " at " + human_number(test.friction() / degrees(1), 3) +
                             " deg");
         }
-        result.rows.push_back({"3: cork, " + number_in_words(rotation) + " deg of rotation", "less friction, faster",
-                               list_in_words(words), "", statement(std::ranges::is_sorted(forces))});
+        result.add("3: cork, " + number_in_words(rotation) + " deg of rotation", "less friction, faster",
+                   list_in_words(words), statement(std::ranges::is_sorted(forces)));
     }
 }
 
@@ -183,12 +182,11 @@ void add_observation_4(Reproduction& result) {
     }
     std::ranges::sort(frictions);
     const TopplingOrder order = toppling_order(frictions);
-    result.rows.push_back({"4: single blocks of any shape on any plane", "more friction, more toppling",
-                           "more in " + std::to_string(order.changes) + ", less in " +
-                               std::to_string(order.exceptions) + " of " + std::to_string(order.examined),
-                           "",
-                           statement(order.exceptions == 0 && order.changes > 0) +
-                               ": onset of motion at frictions of 19, 29.5 and 43 deg"});
+    result.add("4: single blocks of any shape on any plane", "more friction, more toppling",
+               "more in " + std::to_string(order.changes) + ", less in " + std::to_string(order.exceptions) + " of " +
+                   std::to_string(order.examined),
+               statement(order.exceptions == 0 && order.changes > 0) +
+                   ": onset of motion at frictions of 19, 29.5 and 43 deg");
     result.json["toppling_order"] = {
         {"examined", order.examined}, {"changes", order.changes}, {"exceptions", order.exceptions}};
 }

@@ -24,8 +24,8 @@ Table verdict_table(const std::vector<MechanismVerdict>& verdicts) {
 
 void add_sliding(const MechanismVerdict& verdict, Reproduction& result) {
     const double factor = std::tan(mixture_friction) / std::tan(*verdict.joint_c_dip);
-    result.rows.push_back({verdict.plate + ": factor of safety on joint C, dry", "slides", number_in_words(factor), "",
-                           statement(factor < 1) + ": cot(psi_p) tan(phi), friction 40.5 deg"});
+    result.add(verdict.plate + ": factor of safety on joint C, dry", "slides", number_in_words(factor),
+               statement(factor < 1) + ": cot(psi_p) tan(phi), friction 40.5 deg");
     result.json["sliding"][verdict.plate] = factor;
 }
 
@@ -36,9 +36,9 @@ void add_toppling(const MechanismVerdict& verdict, Reproduction& result) {
         return;
     }
     const double least = degrees(90) - *verdict.joint_b_dip + mixture_friction;
-    result.rows.push_back({verdict.plate + ": least face for columns of joint B to slip",
-                           "toppled at " + value_in_words(*verdict.slope_angle, Dimension::angle),
-                           value_in_words(least, Dimension::angle), "", statement(*verdict.slope_angle > least)});
+    result.add(verdict.plate + ": least face for columns of joint B to slip",
+               "toppled at " + value_in_words(*verdict.slope_angle, Dimension::angle),
+               value_in_words(least, Dimension::angle), statement(*verdict.slope_angle > least));
     result.json["toppling_least_face_deg"][verdict.plate] = least / degrees(1);
 }
 
@@ -55,8 +55,8 @@ Reproduction reproduce_mechanisms(const Sheet& sheet) {
         }
     }
     const double column = std::tan(mixture_friction) / std::tan(verdicts.front().joint_a_dip);
-    result.rows.push_back({"2.II: factor of safety of an undermined column on joint A", "slides into the gap",
-                           number_in_words(column), "", statement(column < 1)});
+    result.add("2.II: factor of safety of an undermined column on joint A", "slides into the gap",
+               number_in_words(column), statement(column < 1));
     sheet.add(Heading{"Modes of failure tried on models (2.3.3.2)"});
     sheet.add(printed_table("Whether each mode can happen, by statics", result.rows));
     sheet.add(verdict_table(verdicts));

@@ -63,8 +63,8 @@ void add_rows(const Plate& plate, const MechanismVerdict& printed, const FieldSc
         } else if (remark.verdict == RowVerdict::not_met) {
             remark += reasons(plate.file, outputs);
         }
-        result.rows.push_back({printed.plate + ": " + criterion, human_name(word_of(said)),
-                               std::string(word_of(found)) + ": " + words, "", remark});
+        result.add(printed.plate + ": " + criterion, human_name(word_of(said)),
+                   std::string(word_of(found)) + ": " + words, remark);
     };
     row("profile", printed.profile, score.profile, score.profile_in_words, "post_failure.");
     row("crest cracks", printed.cracks, score.cracks, score.cracks_in_words, "early_failure.");
@@ -74,13 +74,12 @@ void add_rows(const Plate& plate, const MechanismVerdict& printed, const FieldSc
 // Photographs e and f of Plate 2.I, for which the thesis gives no verdict.
 void add_new_face(const Plate& plate, const PostFailureAnswer& end, Reproduction& result) {
     const double face = end.lower_angle / degrees(1);
-    result.rows.push_back(
-        {std::string(plate.plate) + ": the slope without what failed",
-         "the triangular body at the top slides; joint C, 50 deg, is the new face",
-         human_number(face, 3) + " deg, " + human_number(end.failed_width * 1e3, 2) + " mm of the crest slide",
-         human_number(face - 50, 2) + " deg",
-         statement(std::abs(face - 50) < 2 && end.failed_width > 0.04) +
-             ": from the ground that the model without cleavage leaves"});
+    result.add({std::string(plate.plate) + ": the slope without what failed",
+                "the triangular body at the top slides; joint C, 50 deg, is the new face",
+                human_number(face, 3) + " deg, " + human_number(end.failed_width * 1e3, 2) + " mm of the crest slide",
+                human_number(face - 50, 2) + " deg",
+                statement(std::abs(face - 50) < 2 && end.failed_width > 0.04) +
+                    ": from the ground that the model without cleavage leaves"});
 }
 
 // The thesis's toppling models failed with the mixture's 40 to 41 deg of friction (2.3.3.1); those of the cases have
@@ -110,11 +109,10 @@ void add_own_friction(const ResultFolder& folder, const PartOfWork& part, Reprod
         };
         constexpr double half_a_column = 0.0125;  // m, of joint B
         const std::size_t drawn = model * tilts.size();
-        result.rows.push_back({std::string(models[model].plate) + ": with the mixture's 40.5 deg on the joints",
-                               "fails", words(0), "",
-                               statement(!rests[drawn] && width[drawn] > half_a_column) +
-                                   ": turned on the belt by 5 deg, which is not printed, " + words(1) + ", by 10 deg " +
-                                   words(2) + (model == 0 ? "; see 'plate2.iii'" : "")});
+        result.add(std::string(models[model].plate) + ": with the mixture's 40.5 deg on the joints", "fails", words(0),
+                   statement(!rests[drawn] && width[drawn] > half_a_column) +
+                       ": turned on the belt by 5 deg, which is not printed, " + words(1) + ", by 10 deg " + words(2) +
+                       (model == 0 ? "; see 'plate2.iii'" : ""));
     }
 }
 
@@ -226,9 +224,9 @@ Reproduction reproduce_plates(const Sheet& sheet) {
         if (printed->plate == "2.III") {
             constexpr double seen = 1;  // deg; less does not show on a photograph
             const double turned = runs[index].end.answer.backward_rotation / degrees(1);
-            result.rows.push_back({"2.III: a block of the crest turns into the slope by the end, at most",
-                                   "tilts in the opposite direction (2.2.3.4)", human_number(turned, 2) + " deg", "",
-                                   statement(turned > seen)});
+            result.add("2.III: a block of the crest turns into the slope by the end, at most",
+                       "tilts in the opposite direction (2.2.3.4)", human_number(turned, 2) + " deg",
+                       statement(turned > seen));
         }
     }
     add_own_friction(sheet.folder, {"with the mixture's friction", 0.6, 1}, result);

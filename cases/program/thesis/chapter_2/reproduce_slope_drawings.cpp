@@ -333,9 +333,8 @@ void add_traces(const KinematicsResult& sets, double face_dip_direction, const S
          {"70 to 90 deg", "they go with joint A"}}};
     for (std::size_t set = 0; set < sets.joint_set.size() && set < printed.size(); ++set) {
         const double apparent = sets.joint_set[set].apparent_dip / degrees(1);
-        result.rows.push_back({"Fig 2.1: mean of " + model_name(sets.joint_set[set].name) + " in the section",
-                               std::string(printed[set].dip), human_number(apparent, 3) + " deg", "",
-                               printed[set].remark});
+        result.add("Fig 2.1: mean of " + model_name(sets.joint_set[set].name) + " in the section",
+                   std::string(printed[set].dip), human_number(apparent, 3) + " deg", printed[set].remark);
     }
     sheet.draw(traces_figure(sets), "fig_2_1_traces", "Apparent dips across the face; the pit is to the left.");
 }
@@ -383,10 +382,10 @@ Reproduction reproduce_slope_drawings(const Sheet& sheet) {
                "the joint is full.");
     // The knee lies a third of the way up; between the gentlest and the steepest surfaces the top moves by this much.
     const double wide = surface(degrees(40), degrees(70)).back().x() - surface(degrees(45), degrees(75)).back().x();
-    result.rows.push_back({"top of the failure behind its foot", "40 to 45° and 70 to 75°",
-                           human_number(surface(degrees(45), degrees(75)).back().x(), 3) + " to " +
-                               human_number(surface(degrees(40), degrees(70)).back().x(), 3) + " ft",
-                           human_number(wide, 2) + " ft", "what the inclinations leave open"});
+    result.add({"top of the failure behind its foot", "40 to 45° and 70 to 75°",
+                human_number(surface(degrees(45), degrees(75)).back().x(), 3) + " to " +
+                    human_number(surface(degrees(40), degrees(70)).back().x(), 3) + " ft",
+                human_number(wide, 2) + " ft", "what the inclinations leave open"});
     sheet.add(printed_table("The printed inclinations", result.rows));
     return result;
 }

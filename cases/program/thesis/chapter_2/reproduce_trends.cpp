@@ -225,21 +225,19 @@ void add_trend(const PrintedTrend& printed, const Variation& series, Reproductio
     const PrintedChange change = change_of(values, rank, of_columns ? 0.1 : 2);
     const bool met = agrees(printed.change, change, values);
     const auto [least, greatest] = std::ranges::minmax_element(values);
-    result.rows.push_back(
-        {series.figure + ", (" + printed.conclusion + ") " + series.name + ": " + human_name(printed.response),
-         human_name(word_of(printed.change)),
-         human_name(word_of(change)) + ": " + human_number(values.front(), 2) + " to " +
-             human_number(values.back(), 2) + ", between " + human_number(*least, 2) + " and " +
-             human_number(*greatest, 2),
-         "",
-         statement(met) + ": rank correlation " + human_number(rank.value, 2) + ", significance " +
-             human_number(rank.significance, 2) + " (of 0.1) over all slopes" +
-             (met ? ""
-                  : "; the means differ by " + human_number(*greatest - *least, 2) +
-                        (of_columns ? " of a column, of which the thesis counted whole ones" : "") +
-                        ", slopes whose joints run elsewhere by " + human_number(std::sqrt(variance), 2) +
-                        " (standard deviation)") +
-             (printed.doubt.empty() ? "" : "; in the thesis too: " + printed.doubt)});
+    result.add(series.figure + ", (" + printed.conclusion + ") " + series.name + ": " + human_name(printed.response),
+               human_name(word_of(printed.change)),
+               human_name(word_of(change)) + ": " + human_number(values.front(), 2) + " to " +
+                   human_number(values.back(), 2) + ", between " + human_number(*least, 2) + " and " +
+                   human_number(*greatest, 2),
+               statement(met) + ": rank correlation " + human_number(rank.value, 2) + ", significance " +
+                   human_number(rank.significance, 2) + " (of 0.1) over all slopes" +
+                   (met ? ""
+                        : "; the means differ by " + human_number(*greatest - *least, 2) +
+                              (of_columns ? " of a column, of which the thesis counted whole ones" : "") +
+                              ", slopes whose joints run elsewhere by " + human_number(std::sqrt(variance), 2) +
+                              " (standard deviation)") +
+                   (printed.doubt.empty() ? "" : "; in the thesis too: " + printed.doubt));
 }
 
 // Beside its drawings Fig 2.14 states how wide the failure is at the crest.
@@ -247,12 +245,11 @@ void add_widths(const Variation& constant, const Variation& growing, Reproductio
     const auto mean = [](const Variation& series) { return mean_of(means_of(series, &Response::failed_width)); };
     const double one = mean(constant);
     const double other = mean(growing);
-    result.rows.push_back({"Fig 2.14: failed width, cleavage inclination constant / growing",
-                           "120 to 150 / 65 to 80 mm",
-                           human_number(one * 1e3, 3) + " / " + human_number(other * 1e3, 3) + " mm", "",
-                           std::string(other < one ? "less" : "NOT less") +
-                               " where the inclination grows, as printed; the widths cannot be compared, because what "
-                               "else was varied is not printed"});
+    result.add("Fig 2.14: failed width, cleavage inclination constant / growing", "120 to 150 / 65 to 80 mm",
+               human_number(one * 1e3, 3) + " / " + human_number(other * 1e3, 3) + " mm",
+               std::string(other < one ? "less" : "NOT less") +
+                   " where the inclination grows, as printed; the widths cannot be compared, because what "
+                   "else was varied is not printed");
 }
 
 // A figure shows this response over the varied value.

@@ -102,10 +102,10 @@ void add_base_columns(const States& states, Reproduction& result) {
             continue;
         }
         const double columns = columns_at_bottom(state, *state.slope_surface);
-        result.rows.push_back({state.test + ": columns at the bottom", number_in_words(*state.base_columns),
-                               human_number(columns, 3), number_in_words(std::floor(columns) - *state.base_columns),
-                               statement(std::floor(columns) == *state.base_columns) +
-                                   ": whole columns in face and surface of the slope"});
+        result.add({state.test + ": columns at the bottom", number_in_words(*state.base_columns),
+                    human_number(columns, 3), number_in_words(std::floor(columns) - *state.base_columns),
+                    statement(std::floor(columns) == *state.base_columns) +
+                        ": whole columns in face and surface of the slope"});
     }
 }
 
@@ -134,12 +134,12 @@ void add_crack_angles(const States& states, Reproduction& result) {
         most = std::max(most, state.crack_angle_to.value_or(0));
         usual += middle > degrees(24.999) && middle < degrees(35.001) ? 1 : 0;
     }
-    result.rows.push_back({"critical crack path, greatest inclination", "hardly above 41 deg",
-                           value_in_words(most, Dimension::angle), "", statement(most < degrees(41.001))});
-    result.rows.push_back({"its least", "never below 20 deg", value_in_words(least, Dimension::angle), "",
-                           statement(least > degrees(19.999))});
-    result.rows.push_back({"its usual range", "mostly 25 to 35 deg", of(usual, cracked.size()), "",
-                           statement(2 * usual > static_cast<long>(cracked.size()))});
+    result.add("critical crack path, greatest inclination", "hardly above 41 deg",
+               value_in_words(most, Dimension::angle), statement(most < degrees(41.001)));
+    result.add("its least", "never below 20 deg", value_in_words(least, Dimension::angle),
+               statement(least > degrees(19.999)));
+    result.add("its usual range", "mostly 25 to 35 deg", of(usual, cracked.size()),
+               statement(2 * usual > static_cast<long>(cracked.size())));
 }
 
 // Returns one line of Fig 3.2, of right or left slopes over the height in inches.
@@ -291,8 +291,8 @@ Reproduction reproduce_base_friction_run(const Sheet& sheet) {
         } else if (made[index].result.outcome == RelaxationOutcome::equilibrium) {
             remark += ": it comes to rest on the broken rock, as its twin 4(R) stood";
         }
-        result.rows.push_back({one.test + ": critical crack path", in_words(printed), in_words(computed),
-                               in_words(computed - printed), remark});
+        result.add({one.test + ": critical crack path", in_words(printed), in_words(computed),
+                    in_words(computed - printed), remark});
         result.json["crack_path_deg"][one.test] = computed / degrees(1);
         std::string file = "table_3_2_" + one.test;
         std::erase(file, ')');
@@ -310,44 +310,43 @@ Reproduction reproduce_base_friction_run(const Sheet& sheet) {
         }
     }
     const double steep = degrees(result.json["crack_path_deg"]["15(L)"].get<double>());
-    result.rows.push_back({"the other models with a face of 80 deg: critical crack path",
-                           human_number(least / degrees(1), 3) + " to " + in_words(most), in_words(steep), "",
-                           statement(steep > least && steep < most)});
+    result.add("the other models with a face of 80 deg: critical crack path",
+               human_number(least / degrees(1), 3) + " to " + in_words(most), in_words(steep),
+               statement(steep > least && steep < most));
     return result;
 }
 
 Reproduction reproduce_table_3_2(const Sheet& sheet) {
     const States states = rows_of<BaseFrictionState>();
     Reproduction result;
-    result.rows.push_back({"base friction tests, states of models", "over 50", std::to_string(states.size()), "",
-                           statement(states.size() > 50)});
+    result.add("base friction tests, states of models", "over 50", std::to_string(states.size()),
+               statement(states.size() > 50));
     const States steep = chosen(states, is_steep);
     const long failed =
         count(steep, [](const BaseFrictionState& state) { return state.behaviour == SlopeBehaviour::unstable; });
-    result.rows.push_back({"slopes of 70 deg or more that failed", "all", of(failed, steep.size()), "",
-                           statement(failed == static_cast<long>(steep.size()))});
+    result.add("slopes of 70 deg or more that failed", "all", of(failed, steep.size()),
+               statement(failed == static_cast<long>(steep.size())));
     const States slow =
         chosen(steep, [](const BaseFrictionState& state) { return state.crack_time_to.value_or(0) > 5.5 * minute; });
-    result.rows.push_back({"those that failed within five minutes", "all, very quickly",
-                           of(static_cast<long>(steep.size() - slow.size()), steep.size()), "",
-                           statement(slow.empty()) + (slow.empty() ? "" : ": all but " + tests_and_times(slow))});
+    result.add("those that failed within five minutes", "all, very quickly",
+               of(static_cast<long>(steep.size() - slow.size()), steep.size()),
+               statement(slow.empty()) + (slow.empty() ? "" : ": all but " + tests_and_times(slow)));
     const States gentle = chosen(states, [](const BaseFrictionState& state) { return !is_steep(state); });
     const long stood =
         count(gentle, [](const BaseFrictionState& state) { return state.behaviour != SlopeBehaviour::unstable; });
-    result.rows.push_back({"slopes of 60 and 65 deg that did not fail", "some", of(stood, gentle.size()), "",
-                           statement(stood > 0 && stood < static_cast<long>(gentle.size()))});
+    result.add("slopes of 60 and 65 deg that did not fail", "some", of(stood, gentle.size()),
+               statement(stood > 0 && stood < static_cast<long>(gentle.size())));
     add_crack_angles(states, result);
     add_base_columns(states, result);
-    result.rows.push_back({"lower cross-jointed slopes (11''_S, _S1, _S2)", "fail later",
-                           lower_is_later(states) ? "later" : "not later", "", statement(lower_is_later(states))});
+    result.add("lower cross-jointed slopes (11''_S, _S1, _S2)", "fail later",
+               lower_is_later(states) ? "later" : "not later", statement(lower_is_later(states)));
     // These runs were made once; no command repeats them.
     const long unstable =
         count(states, [](const BaseFrictionState& state) { return state.behaviour == SlopeBehaviour::unstable; });
-    result.rows.push_back({"base friction models in motion, states right", "47", "38", "",
-                           statement(false) + ": the guess that every slope fails has " + std::to_string(unstable) +
-                               "; fitted to half of the tests, the strength of the mixture and the friction on the "
-                               "frame give 18 of 24 in the others, as that guess does. Belt and drag on each block's "
-                               "area are in all runs"});
+    result.add("base friction models in motion, states right", "47", "38",
+               statement(false) + ": the guess that every slope fails has " + std::to_string(unstable) +
+                   "; fitted to half of the tests, the strength of the mixture and the friction on the frame give 18 "
+                   "of 24 in the others, as that guess does. Belt and drag on each block's area are in all runs");
     for (const SlopeBehaviour behaviour : behaviours) {
         const long number = count(states, [&](const BaseFrictionState& state) { return state.behaviour == behaviour; });
         result.json["behaviour"][std::string(word_of(behaviour))] = number;
@@ -390,13 +389,12 @@ Reproduction reproduce_fig_3_2(const Sheet& sheet) {
     }
     Reproduction result;
     const auto pair_row = [&](const std::string& what, long number) {
-        result.rows.push_back(
-            {what, "every pair", of(number, static_cast<std::size_t>(pairs)), "", statement(number == pairs)});
+        result.add(what, "every pair", of(number, static_cast<std::size_t>(pairs)), statement(number == pairs));
     };
     pair_row("right slope fails before the left one", right_earlier);
     pair_row("crack path of the left slope is the steeper one", left_steeper);
-    result.rows.push_back({"higher slopes fail later, models 7 to 10", "yes", later ? "yes" : "no", "",
-                           statement(later) + "; model 13, with two columns less, fails in 2 min"});
+    result.add("higher slopes fail later, models 7 to 10", "yes", later ? "yes" : "no",
+               statement(later) + "; model 13, with two columns less, fails in 2 min");
     result.json["higher_fails_later"] = later;
     result.json["right_earlier"] = {{"pairs", right_earlier}, {"of", pairs}};
     result.json["left_steeper"] = {{"pairs", left_steeper}, {"of", pairs}};

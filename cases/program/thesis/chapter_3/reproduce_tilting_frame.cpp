@@ -145,23 +145,21 @@ Reproduction reproduce_fig_3_6(const Sheet& sheet) {
     rows.on_tin.dash = Dash::dotted;
     figure.series.emplace_back(rows.on_tin);
     Reproduction result;
-    result.rows.push_back(
-        {"one column more, pressed together", "stands at greater tilt",
-         std::to_string(rows.stabler) + " of " + std::to_string(rows.steps) + " greater, " +
-             std::to_string(rows.less_stable) + " less",
-         "",
-         statement(rows.less_stable == 0) +
-             ": no more is gained where the lowest column cannot be held however hard it is pressed"});
-    result.rows.push_back({"columns that part", "gently touching ones separate and topple",
-                           "as one column does, within " + human_number(rows.parted_spread / degrees(1), 2) + " deg",
-                           "", "the number of columns matters only while they are held together"});
-    result.rows.push_back({"two columns against one (4.2)", "quite close at all heights",
-                           "up to " + human_number(rows.pairs_gain / degrees(1), 3) + " deg pressed, 0 parted", "",
-                           "points to columns that parted"});
-    result.rows.push_back({"two columns on tin (17 to 19 deg) against plaster", "quite close",
-                           "up to " + human_number(rows.tin_difference / degrees(1), 3) + " deg apart", "",
-                           std::to_string(rows.slides_on_tin) +
-                               " of 8 heights slide on the tin before they topple; the text does not say so"});
+    result.add("one column more, pressed together", "stands at greater tilt",
+               std::to_string(rows.stabler) + " of " + std::to_string(rows.steps) + " greater, " +
+                   std::to_string(rows.less_stable) + " less",
+               statement(rows.less_stable == 0) +
+                   ": no more is gained where the lowest column cannot be held however hard it is pressed");
+    result.add("columns that part", "gently touching ones separate and topple",
+               "as one column does, within " + human_number(rows.parted_spread / degrees(1), 2) + " deg",
+               "the number of columns matters only while they are held together");
+    result.add("two columns against one (4.2)", "quite close at all heights",
+               "up to " + human_number(rows.pairs_gain / degrees(1), 3) + " deg pressed, 0 parted",
+               "points to columns that parted");
+    result.add("two columns on tin (17 to 19 deg) against plaster", "quite close",
+               "up to " + human_number(rows.tin_difference / degrees(1), 3) + " deg apart",
+               std::to_string(rows.slides_on_tin) +
+                   " of 8 heights slide on the tin before they topple; the text does not say so");
     result.json["one_column_more"] = {
         {"steps", rows.steps}, {"stabler", rows.stabler}, {"less_stable", rows.less_stable}};
     result.json["parted_spread_deg"] = rows.parted_spread / degrees(1);
@@ -339,26 +337,24 @@ Reproduction reproduce_fig_3_7(const Sheet& sheet) {
     const std::vector<RowOfHeights> rows = rows_of_heights(friction);
     const RowOfHeights nine = row_of_heights(9, friction);
     Reproduction result;
-    result.rows.push_back({"nine columns: tilt of the first crack", value_in_words(tilt, Dimension::angle),
-                           value_in_words(nine.tilt(), Dimension::angle),
-                           difference_in_words((nine.tilt() - tilt) / degrees(1)) + " deg",
-                           fitted ? "solved for the friction: " + value_in_words(friction, Dimension::angle) +
-                                        "; chapter 4 takes 20 deg for short slips"
-                                  : "no friction gives it; shown for 30 deg"});
-    result.rows.push_back({"nine columns: place of the crack", "between 6 and 7", "between " + nine.crack(), "",
-                           statement(nine.crack() == "6 and 7")});
+    result.add({"nine columns: tilt of the first crack", value_in_words(tilt, Dimension::angle),
+                value_in_words(nine.tilt(), Dimension::angle),
+                difference_in_words((nine.tilt() - tilt) / degrees(1)) + " deg",
+                fitted ? "solved for the friction: " + value_in_words(friction, Dimension::angle) +
+                             "; chapter 4 takes 20 deg for short slips"
+                       : "no friction gives it; shown for 30 deg"});
+    result.add("nine columns: place of the crack", "between 6 and 7", "between " + nine.crack(),
+               statement(nine.crack() == "6 and 7"));
     const std::string mode = nine.answer ? nine.answer->mode : "";
     const auto sliding = std::ranges::count(mode, row_role::slides);
     const auto turning = std::ssize(mode) - sliding - std::ranges::count(mode, row_role::stands);
-    result.rows.push_back(
-        {"nine columns: which slide, which turn", "1 slides, 2 to 6 turn", mode, "",
-         statement(sliding == 1 && turning == 5) + ": " + std::to_string(sliding) +
-             " slide (S), the next turn (F with a sliding toe, P not), the last stand (0), all with one "
-             "friction"});
+    result.add("nine columns: which slide, which turn", "1 slides, 2 to 6 turn", mode,
+               statement(sliding == 1 && turning == 5) + ": " + std::to_string(sliding) +
+                   " slide (S), the next turn (F with a sliding toe, P not), the last stand (0), all with one "
+                   "friction");
     const auto score_row = [&](const std::string& what, const std::string& printed, const Tally& score,
                                const std::string& why = "") {
-        result.rows.push_back(
-            {what, printed, score.words(), "", score.remark() + (score.met == score.of ? std::string() : why)});
+        result.add(what, printed, score.words(), score.remark() + (score.met == score.of ? std::string() : why));
         result.json[what] = score.json();
     };
     score_row("crack in front of the column of 3 in, 8 to 17 columns but 16", "in all", cracks_at_three_inches(rows),

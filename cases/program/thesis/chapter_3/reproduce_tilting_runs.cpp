@@ -139,10 +139,10 @@ void add_single_columns(const Sheet& sheet, Reproduction& result) {
         return std::atan(1 / at.x) - at.mean();
     };
     const std::size_t last = curves.front().at.size() - 1;
-    result.rows.push_back({"column of 2 in, one piece: tilt below atan(b/a)", "1 deg", angle_in_words(deficit(0, 0)),
-                           "", "the wear of the edges, 0.56 mm, is chosen for this"});
-    result.rows.push_back({"column of 9 in, one piece", "no difference", angle_in_words(deficit(0, last)), "",
-                           statement(deficit(0, last) < degrees(0.5)) + ": below half a degree"});
+    result.add("column of 2 in, one piece: tilt below atan(b/a)", "1 deg", angle_in_words(deficit(0, 0)),
+               "the wear of the edges, 0.56 mm, is chosen for this");
+    result.add("column of 9 in, one piece", "no difference", angle_in_words(deficit(0, last)),
+               statement(deficit(0, last) < degrees(0.5)) + ": below half a degree");
     int about_one = 0;
     int less_stable = 0;
     for (std::size_t place = 0; place <= last; ++place) {
@@ -154,17 +154,17 @@ void add_single_columns(const Sheet& sheet, Reproduction& result) {
         const double height = curves.front().at[place].x;
         return (1 - height * std::tan(std::atan(1 / height) - degrees(1))) / 2 * inch;
     };
-    result.rows.push_back(
-        {"cubes: tilt below atan(b/a)", "roughly 1 deg for almost all heights",
-         angle_in_words(deficit(1, 0)) + " at 2 in to " + angle_in_words(deficit(1, last)) + " at 9 in", "",
-         statement(about_one + 1 >= static_cast<int>(last + 1)) + ": 0.5 to 1.5 deg at " + std::to_string(about_one) +
-             heights + "; a degree takes a centre of gravity " + human_number(1e3 * shift_of_a_degree(0), 2) +
-             " mm nearer to the toe at 2 in, " + human_number(1e3 * shift_of_a_degree(last), 2) +
-             " at 9 in, more than cubes that lie up to 1 mm out of line either way, an assumption, come to in a tall "
-             "column"});
-    result.rows.push_back({"cubes against one piece", "the least stable", std::to_string(less_stable) + heights, "",
-                           statement(less_stable == static_cast<int>(last + 1)) + ": means of " +
-                               std::to_string(samples) + " columns each"});
+    result.add(
+        "cubes: tilt below atan(b/a)", "roughly 1 deg for almost all heights",
+        angle_in_words(deficit(1, 0)) + " at 2 in to " + angle_in_words(deficit(1, last)) + " at 9 in",
+        statement(about_one + 1 >= static_cast<int>(last + 1)) + ": 0.5 to 1.5 deg at " + std::to_string(about_one) +
+            heights + "; a degree takes a centre of gravity " + human_number(1e3 * shift_of_a_degree(0), 2) +
+            " mm nearer to the toe at 2 in, " + human_number(1e3 * shift_of_a_degree(last), 2) +
+            " at 9 in, more than cubes that lie up to 1 mm out of line either way, an assumption, come to in a tall "
+            "column");
+    result.add("cubes against one piece", "the least stable", std::to_string(less_stable) + heights,
+               statement(less_stable == static_cast<int>(last + 1)) + ": means of " + std::to_string(samples) +
+                   " columns each");
     Figure figure = tilt_figure("Fig 3.4 as runs: single columns", "height", "in");
     figure.series.emplace_back(single_column_theory(least_height, most_height));
     draw_curves(figure, curves);
@@ -220,13 +220,13 @@ void add_equal_columns(const Sheet& sheet, Reproduction& result) {
             on_tin = std::max(on_tin, std::abs(curves[4].at[place].mean() - curves[1].at[place].mean()));
         }
     }
-    result.rows.push_back({"one column more", "stands at greater tilt",
-                           std::to_string(stabler(curves)) + " of " + std::to_string(steps) + " greater", "",
-                           statement(stabler(curves) == steps) + ": means of " + std::to_string(samples) +
-                               " rows each, whose friction scatters; without scatter " + std::to_string(stabler(even)) +
-                               ", in means of 16 rows 23; four over one: at most " + angle_in_words(gain)});
-    result.rows.push_back({"two columns on tin against plaster, 4 in and more", "quite close",
-                           "within " + angle_in_words(on_tin), "", "lower ones slide on the tin first"});
+    result.add("one column more", "stands at greater tilt",
+               std::to_string(stabler(curves)) + " of " + std::to_string(steps) + " greater",
+               statement(stabler(curves) == steps) + ": means of " + std::to_string(samples) +
+                   " rows each, whose friction scatters; without scatter " + std::to_string(stabler(even)) +
+                   ", in means of 16 rows 23; four over one: at most " + angle_in_words(gain));
+    result.add("two columns on tin against plaster, 4 in and more", "quite close", "within " + angle_in_words(on_tin),
+               "lower ones slide on the tin first");
     Figure figure = tilt_figure("Fig 3.6 as runs: equal columns", "height", "in");
     draw_curves(figure, curves);
     figure.x.range = heights_of_equal_columns;
@@ -281,16 +281,15 @@ void add_rows(const Sheet& sheet, Reproduction& result) {
         return falling;
     };
     const int falling = steps_down(curves.front().at);
-    result.rows.push_back({"one column more in a row of growing and falling height", "less stable",
-                           std::to_string(falling) + " of " + std::to_string(most - least), "",
-                           statement(falling == most - least) + ": without scatter " +
-                               std::to_string(steps_down(without_scatter.front().at))});
+    result.add("one column more in a row of growing and falling height", "less stable",
+               std::to_string(falling) + " of " + std::to_string(most - least),
+               statement(falling == most - least) + ": without scatter " +
+                   std::to_string(steps_down(without_scatter.front().at)));
     std::vector<std::string> others;
     std::ranges::transform(even.elsewhere, std::back_inserter(others), [](int one) { return std::to_string(one); });
-    result.rows.push_back({"first crack in front of the column of 3 in, 8 to 17 columns but 16", "in all",
-                           scattered.words(), "",
-                           statement(scattered.elsewhere.empty() && even.elsewhere.empty()) + ": without scatter " +
-                               even.words() + ", elsewhere with " + list_in_words(others) + " columns"});
+    result.add("first crack in front of the column of 3 in, 8 to 17 columns but 16", "in all", scattered.words(),
+               statement(scattered.elsewhere.empty() && even.elsewhere.empty()) + ": without scatter " + even.words() +
+                   ", elsewhere with " + list_in_words(others) + " columns");
     result.json["rows"] = {{"falling", falling}, {"cracks", scattered.words()}, {"without_scatter", even.words()}};
     Figure figure = tilt_figure("Fig 3.7 as runs: growing and falling height", "number of columns", "");
     figure.series.emplace_back(curve(
@@ -400,31 +399,28 @@ void add_nine_columns(const Sheet& sheet, Reproduction& result) {
     const std::optional<FrameFailure> failure = tilt_until_failure(row);
     const RelaxationRun made = tilt_all_the_way(row);
     if (!failure || made.frames.empty()) {
-        result.rows.push_back({"Plate 3.XIV", "", "the run broke off", "", ""});
+        result.add("Plate 3.XIV", "", "the run broke off", "");
         return;
     }
-    result.rows.push_back({"nine columns: tilt of the first crack", "16 deg", angle_in_words(failure->crack_tilt),
-                           angle_in_words(failure->crack_tilt - degrees(16)),
-                           "friction between columns " + angle_in_words(row.friction.interface) +
-                               ", of 8 to 22 deg; on the base " + angle_in_words(row.friction.base) +
-                               ", of 29 to 36.5 deg (3.3.2.1, 4.2)"});
-    result.rows.push_back(
-        {"nine columns: place of the crack", "between 6 and 7",
-         "between " + std::to_string(failure->crack_after) + " and " + std::to_string(failure->crack_after + 1), "",
-         statement(failure->crack_after == 6)});
+    result.add({"nine columns: tilt of the first crack", "16 deg", angle_in_words(failure->crack_tilt),
+                angle_in_words(failure->crack_tilt - degrees(16)),
+                "friction between columns " + angle_in_words(row.friction.interface) +
+                    ", of 8 to 22 deg; on the base " + angle_in_words(row.friction.base) +
+                    ", of 29 to 36.5 deg (3.3.2.1, 4.2)"});
+    result.add("nine columns: place of the crack", "between 6 and 7",
+               "between " + std::to_string(failure->crack_after) + " and " + std::to_string(failure->crack_after + 1),
+               statement(failure->crack_after == 6));
     const MotionFrame& at_30 = frame_at(made, degrees(30));
     const MotionFrame& end = made.frames.back();
-    result.rows.push_back({"nine columns at 30 deg", "stable, turned columns on their edges",
-                           "fastest column " + human_number(fastest(at_30, columns) * 1e3, 2) + " mm/s", "",
-                           statement(end.tilt >= degrees(30)) +
-                               ": whether turned columns wedge again or fall is chance. With 33 and 40 deg on the base "
-                               "they stand up to 30.5 and 36.9 deg, from 45 deg on to the end of the frame, with 34.5 "
-                               "and 35 deg to 18.6, and with 33 deg and the 5.7 deg between columns that let the crack "
-                               "open at 16 deg to 24.1; " +
-                               movements_in_words(at_30, columns)});
-    result.rows.push_back({"nine columns: tilt at which all go", "32 deg, sliding on their edges",
-                           angle_in_words(end.tilt), angle_in_words(end.tilt - degrees(32)),
-                           movements_in_words(end, columns)});
+    result.add("nine columns at 30 deg", "stable, turned columns on their edges",
+               "fastest column " + human_number(fastest(at_30, columns) * 1e3, 2) + " mm/s",
+               statement(end.tilt >= degrees(30)) +
+                   ": whether turned columns wedge again or fall is chance. With 33 and 40 deg on the base they stand "
+                   "up to 30.5 and 36.9 deg, from 45 deg on to the end of the frame, with 34.5 and 35 deg to 18.6, and "
+                   "with 33 deg and the 5.7 deg between columns that let the crack open at 16 deg to 24.1; " +
+                   movements_in_words(at_30, columns));
+    result.add({"nine columns: tilt at which all go", "32 deg, sliding on their edges", angle_in_words(end.tilt),
+                angle_in_words(end.tilt - degrees(32)), movements_in_words(end, columns)});
     std::vector<Figure> figures;
     for (const auto& [tilt, what] :
          {std::pair{failure->crack_tilt / degrees(1) + 0.5, " (b)"}, {30.0, " (c)"}, {32.0, " (d)"}}) {

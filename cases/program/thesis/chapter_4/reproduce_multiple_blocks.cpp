@@ -145,10 +145,9 @@ Reproduction reproduce_fig_4_9(const Sheet& sheet) {
     for (int count = 2; count <= 4; ++count) {
         const std::vector<RowModeSummary> modes = whole_row_modes(count, 3, 20, 30);
         const std::string words = std::to_string(count);
-        result.rows.push_back(
-            {"modes of " + words + " blocks", std::string(printed[static_cast<std::size_t>(count) - 2]),
-             std::to_string(modes.size()), "",
-             statement(std::to_string(modes.size()) == printed[static_cast<std::size_t>(count) - 2])});
+        result.add("modes of " + words + " blocks", std::string(printed[static_cast<std::size_t>(count) - 2]),
+                   std::to_string(modes.size()),
+                   statement(std::to_string(modes.size()) == printed[static_cast<std::size_t>(count) - 2]));
         for (const RowModeSummary& mode : modes) {
             table.rows.push_back(
                 {words, mode.roles, tilt_shown(mode.critical_tilt), human_name(word_of(mode.admissibility))});
@@ -220,13 +219,12 @@ Reproduction reproduce_fig_4_10(const Sheet& sheet) {
         }
         const std::string derived = least_in_words(1);
         const std::string as_printed = least_in_words(0);
-        result.rows.push_back(
-            {"a/b = " + words + ": least stable mode", "(a)", derived, "",
-             statement(derived == letters.front()) +
-                 ": (14) leaves the third block out of the thrusts; with it as printed: " + as_printed});
-        result.rows.push_back({"a/b = " + words + ": most unlikely mode", "(c)",
-                               "(c) up to " + human_number(highest_up_to, 3) + " deg", "",
-                               statement(highest_up_to >= 45) + (highest_up_to < 45 ? ": only below that" : "")});
+        result.add("a/b = " + words + ": least stable mode", "(a)", derived,
+                   statement(derived == letters.front()) +
+                       ": (14) leaves the third block out of the thrusts; with it as printed: " + as_printed);
+        result.add("a/b = " + words + ": most unlikely mode", "(c)",
+                   "(c) up to " + human_number(highest_up_to, 3) + " deg",
+                   statement(highest_up_to >= 45) + (highest_up_to < 45 ? ": only below that" : ""));
         result.json["ratio_" + words] = {{"least_stable", derived}, {"backward_mode_highest_up_to_deg", highest_up_to}};
     }
     sheet.add(printed_table("Statements on Fig 4.10", result.rows));
@@ -243,18 +241,17 @@ Reproduction reproduce_equations_14_to_19(const Sheet& sheet) {
     Reproduction result;
     const auto row = [&](const std::string& name, double printed, double derived, const std::string& remark) {
         constexpr double rounding = 1e-12;  // of tangents near one
-        result.rows.push_back(
-            {name, human_number(in_degrees(printed), 5) + " deg", human_number(in_degrees(derived), 5) + " deg",
-             difference_in_words(in_degrees(derived) - in_degrees(printed)) + " deg",
-             statement(std::abs(derived - printed) < rounding) + (remark.empty() ? "" : ": " + remark)});
+        result.add({name, human_number(in_degrees(printed), 5) + " deg", human_number(in_degrees(derived), 5) + " deg",
+                    difference_in_words(in_degrees(derived) - in_degrees(printed)) + " deg",
+                    statement(std::abs(derived - printed) < rounding) + (remark.empty() ? "" : ": " + remark)});
         result.json[name] = {{"printed_deg", in_degrees(printed)}, {"derived_deg", in_degrees(derived)}};
     };
     row("(14) FFP", form::two_equal_blocks_forward(a, b, mu, c), form::three_blocks_two_forward(a, b, mu, c),
         "printed equal to (8): the third block left out of the thrusts");
     row("(15) FPB", form::three_blocks_forward_backward(a, b, mu, c), form::equal_blocks(1, 1, a, b, mu, c), "");
     const double lost = form::equal_blocks(0, 2, a, b, mu, c);
-    result.rows.push_back(
-        {"(16) PBB", "lost", human_number(in_degrees(lost), 5) + " deg", "", "tan θ = b(1 + 3μc) / [a(1 + μc) - 2bμ]"});
+    result.add("(16) PBB", "lost", human_number(in_degrees(lost), 5) + " deg",
+               "tan θ = b(1 + 3μc) / [a(1 + μc) - 2bμ]");
     row("(17) FBB, equal thrusts", form::three_blocks_equal_thrusts(mu, c), c * (3 * m - 1) / (3 - m),
         "but over-determined: no dimension of the blocks in it");
     row("(18) FFPB", form::four_blocks_printed(a, b, mu, c), form::four_blocks_two_forward_one_backward(a, b, mu, c),
@@ -281,11 +278,11 @@ Reproduction reproduce_equations_14_to_19(const Sheet& sheet) {
     }
     const double ceiling = form::three_blocks_two_forward(a, b, mu, c);
     const bool adds = pressed[2] > pressed[1] + 1e-9;  // rad; tilts are solved to rounding
-    result.rows.push_back({"does a third block add stability?", "no: (14) = (8)",
-                           "free: no; in contact: " + std::string(adds ? "yes" : "no"), "",
-                           statement(!adds) + ": up to the ceiling of " + human_number(in_degrees(ceiling), 5) +
-                               " deg, beyond which those above cannot hold the lowest block; (14) leaves the third "
-                               "block out of the thrusts"});
+    result.add("does a third block add stability?", "no: (14) = (8)",
+               "free: no; in contact: " + std::string(adds ? "yes" : "no"),
+               statement(!adds) + ": up to the ceiling of " + human_number(in_degrees(ceiling), 5) +
+                   " deg, beyond which those above cannot hold the lowest block; (14) leaves the third "
+                   "block out of the thrusts");
     result.json["ceiling_deg"] = in_degrees(ceiling);
     sheet.add(Heading{"Equations (14) to (19): three and four blocks"});
     sheet.add(Paragraph{"Printed and derived tilts for a/b = 3, an interface of 20 deg and a base of 30 deg."});

@@ -163,9 +163,9 @@ Reproduction reproduce_force_between_two_blocks(const Sheet& sheet) {
     const double m = tangent(phi) * c;
     Reproduction result;
     const auto row = [&](const std::string& name, double printed, double computed) {
-        result.rows.push_back({name + ": S per weight, a/b = 3, φ = 20 deg, ψ = 35 deg", human_number(printed, 5),
-                               human_number(computed, 5), difference_in_words(computed - printed),
-                               "at the tilt at which the mode begins"});
+        result.add({name + ": S per weight, a/b = 3, φ = 20 deg, ψ = 35 deg", human_number(printed, 5),
+                    human_number(computed, 5), difference_in_words(computed - printed),
+                    "at the tilt at which the mode begins"});
         result.json[name] = {{"printed", printed}, {"computed", computed}};
     };
     const Interaction forward = interaction("FP", slenderness, phi, psi);
@@ -175,16 +175,15 @@ Reproduction reproduce_force_between_two_blocks(const Sheet& sheet) {
     theta = std::atan(backward.tilt_tangent);
     row("(13) backward", (std::sin(theta) + c * std::cos(theta)) / (1 + m), backward.thrust);
     const SignsOfInteraction signs = signs_of_interaction();
-    result.rows.push_back(count_row("forward: S is compressive", "where ψ > θ and φ + ψ < 90 deg",
-                                    signs.forward_as_printed, signs.forward));
-    result.rows.push_back(
-        count_row("backward: S is compressive", "always", signs.backward_compressive, signs.backward));
+    result.add(count_row("forward: S is compressive", "where ψ > θ and φ + ψ < 90 deg", signs.forward_as_printed,
+                         signs.forward));
+    result.add(count_row("backward: S is compressive", "always", signs.backward_compressive, signs.backward));
     const double threshold = interaction("FP", slenderness, phi, in_degrees(1 / slenderness)).thrust;
-    result.rows.push_back({"forward: S where ψ = θ = atan(b/a)", "0", difference_in_words(threshold), "",
-                           statement(std::abs(threshold) < 1e-9)});
+    result.add("forward: S where ψ = θ = atan(b/a)", "0", difference_in_words(threshold),
+               statement(std::abs(threshold) < 1e-9));
     const double greatest = greatest_equal_friction(slenderness);
-    result.rows.push_back({"forward: greatest φ = ψ with S compressive", "45 deg", human_number(greatest, 4) + " deg",
-                           difference_in_words(greatest - 45) + " deg", statement(std::abs(greatest - 45) < 1e-6)});
+    result.add({"forward: greatest φ = ψ with S compressive", "45 deg", human_number(greatest, 4) + " deg",
+                difference_in_words(greatest - 45) + " deg", statement(std::abs(greatest - 45) < 1e-6)});
     result.json["greatest_equal_friction_deg"] = greatest;
     sheet.add(Heading{"Equations (12) and (13): the force between two blocks"});
     sheet.add(Paragraph{
@@ -207,16 +206,15 @@ Reproduction reproduce_fig_4_7(const Sheet& sheet) {
             closed_form::weight_share_at_boundary(slenderness, 1.0, tangent(phi), tangent(printed_boundaries[index]));
         const double ratio = shares[index] / (1 - shares[index]);
         const double computed = boundary(slenderness, equal, phi);
-        result.rows.push_back(angle_row("boundary ψ, φ = " + words + " deg, equal weights", printed_boundaries[index],
-                                        computed, "printed with the weights of the blocks, which are not printed"));
-        result.rows.push_back({"W1/W2 that gives the printed one, φ = " + words + " deg", "not printed",
-                               human_number(ratio, 4), "", "back-analysed"});
+        result.add(angle_row("boundary ψ, φ = " + words + " deg, equal weights", printed_boundaries[index], computed,
+                             "printed with the weights of the blocks, which are not printed"));
+        result.add("W1/W2 that gives the printed one, φ = " + words + " deg", "not printed", human_number(ratio, 4),
+                   "back-analysed");
         result.json["phi_" + words] = {{"boundary_psi_equal_weights_deg", computed}, {"weight_ratio", ratio}};
     }
     const double best = least_squares_share(shares, slenderness);
     const double best_ratio = best / (1 - best);
-    result.rows.push_back(
-        {"W1/W2 that gives both best", "not printed", human_number(best_ratio, 4), "", "least squares"});
+    result.add("W1/W2 that gives both best", "not printed", human_number(best_ratio, 4), "least squares");
     result.json["weight_ratio_least_squares"] = best_ratio;
     Figure figure = modes_figure(slenderness, best);
     figure.title = "Fig 4.7: two blocks, a/b = 9, W1/W2 = " + human_number(best_ratio, 4);
@@ -224,8 +222,8 @@ Reproduction reproduce_fig_4_7(const Sheet& sheet) {
     for (std::size_t index = 0; index < frictions.size(); ++index) {
         const double phi = frictions[index];
         const double psi = boundary(slenderness, best, phi);
-        result.rows.push_back(angle_row("boundary ψ, φ = " + number_in_words(phi) + " deg, that ratio",
-                                        printed_boundaries[index], psi, "one unknown for two printed values"));
+        result.add(angle_row("boundary ψ, φ = " + number_in_words(phi) + " deg, that ratio", printed_boundaries[index],
+                             psi, "one unknown for two printed values"));
         const double crossing = boundary(slenderness, equal, phi);
         equal_weights.points.emplace_back(crossing, forward(slenderness, equal, phi, crossing));
     }

@@ -77,7 +77,7 @@ void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs,
             result.json["outcomes_by_scheme"][std::string(name)][what][run.name] = {{"computed", words},
                                                                                     {"agrees", agrees}};
         }
-        result.rows.push_back(row);
+        result.add(row);
     }
 }
 
@@ -86,11 +86,11 @@ void add_outcomes_with_gravity(const std::string& what, const std::vector<Chapte
     const auto agree = std::ranges::count_if(
         runs, [](const Chapter5Run& run) { return compute(run, Engine::recreated).outcome == run.printed; });
     result.json["gravity_turned"][what] = {{"agree", agree}, {"of", runs.size()}};
-    result.rows.push_back(
-        {what + ", gravity turned instead: outcomes as printed", std::to_string(runs.size()), std::to_string(agree), "",
-         statement(agree == std::ssize(runs)) +
-             ": so the base was turned: turned gravity pushes nothing, and no input that 'tilted_blocks' changes "
-             "gives all outcomes with it"});
+    result.add(what + ", gravity turned instead: outcomes as printed", std::to_string(runs.size()),
+               std::to_string(agree),
+               statement(agree == std::ssize(runs)) +
+                   ": so the base was turned: turned gravity pushes nothing, and no input that 'tilted_blocks' changes "
+                   "gives all outcomes with it");
 }
 
 void add_settled(const std::string& what, const std::string& remark, const std::vector<Chapter5Run>& runs,
@@ -103,10 +103,9 @@ void add_settled(const std::string& what, const std::string& remark, const std::
             const SettledCycles difference{settled.x - run.printed_settled->x, settled.y - run.printed_settled->y};
             const bool stands = computed.outcome == HockingOutcome::stands;
             largest = std::max({largest, std::abs(difference.x), std::abs(difference.y)});
-            result.rows.push_back({what + ", " + run.name + ": cycles until CX / CY rest",
-                                   in_words(*run.printed_settled), settled_or_turned(run, computed),
-                                   stands ? in_words(difference) : "", remark,
-                                   settled_or_turned(run, compute(run, Engine::dropped))});
+            result.add({what + ", " + run.name + ": cycles until CX / CY rest", in_words(*run.printed_settled),
+                        settled_or_turned(run, computed), stands ? in_words(difference) : "", remark,
+                        settled_or_turned(run, compute(run, Engine::dropped))});
         }
     }
     result.json["largest_difference_of_settled_cycles"][what] = largest;
@@ -115,8 +114,8 @@ void add_settled(const std::string& what, const std::string& remark, const std::
 void add_behaviour(const std::string& what, const std::string& printed, const Chapter5Run& run, Reproduction& result) {
     const HockingResult computed = compute(run, Engine::recreated);
     const HockingResult clean = compute(run, Engine::dropped);
-    result.rows.push_back({what, printed, behaviour_in_words(run, computed), "",
-                           statement(behaves_as_printed(run, computed)), behaviour_in_words(run, clean)});
+    result.add(what, printed, behaviour_in_words(run, computed), statement(behaves_as_printed(run, computed)),
+               behaviour_in_words(run, clean));
     result.json["behaves_as_printed"][run.name] = behaves_as_printed(run, computed);
     result.json["clean_behaves_as_printed"][run.name] = behaves_as_printed(run, clean);
 }

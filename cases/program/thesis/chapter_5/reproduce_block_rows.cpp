@@ -65,8 +65,8 @@ void crack_of_the_tilting_frame(Chapter5Item& item) {
         cracks.push_back("6 turned " + human_number(sixth, 2) + " deg, 7 " + human_number(seventh, 2));
         item.result.json[engine == Engine::recreated ? "crack_at_16_deg" : "clean_crack_at_16_deg"] = crack;
     }
-    item.result.rows.push_back({"16 deg, friction 26 deg: tension crack (tilting frame)", "between 6 and 7", cracks[0],
-                                "", statement(all_crack), cracks[1]});
+    item.result.add("16 deg, friction 26 deg: tension crack (tilting frame)", "between 6 and 7", cracks[0],
+                    statement(all_crack), cracks[1]);
 }
 
 // Tells which joint of the stepped base opens first, and which is the widest at the end.
@@ -84,9 +84,9 @@ void tension_cracks(Chapter5Item& item) {
         };
         const HockingResult recreated = compute(run, Engine::recreated);
         const HockingResult clean = compute(run, Engine::dropped);
-        item.result.rows.push_back({"stepped base, " + run.name + ": widest joint, between",
-                                    fails ? "columns 5 and 6" : "columns 5 and 6, slight", shown(recreated), "",
-                                    statement(as_printed(recreated)), shown(clean)});
+        item.result.add("stepped base, " + run.name + ": widest joint, between",
+                        fails ? "columns 5 and 6" : "columns 5 and 6, slight", shown(recreated),
+                        statement(as_printed(recreated)), shown(clean));
         item.result.json["crack"][run.name] = {
             {"as_printed", as_printed(recreated)},
             {"clean_as_printed", as_printed(clean)},

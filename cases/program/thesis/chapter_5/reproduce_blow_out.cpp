@@ -95,9 +95,9 @@ void blow_out(Chapter5Item& item) {
     const HockingResult computed = compute(run, Engine::recreated);
     const int printed = run.printed_cycle.value_or(0);
     const int cycle = computed.blow_out_cycle.value_or(0);
-    result.rows.push_back({"a/b = 7: cycle at which the blocks blow out", std::to_string(printed),
-                           in_words(computed.blow_out_cycle), cycle > 0 ? std::to_string(cycle - printed) : "",
-                           "at 8 deg; the inclination is not printed"});
+    result.add({"a/b = 7: cycle at which the blocks blow out", std::to_string(printed),
+                in_words(computed.blow_out_cycle), cycle > 0 ? std::to_string(cycle - printed) : "",
+                "at 8 deg; the inclination is not printed"});
     result.json["cycle"] = cycle;
     if (computed.blow_out) {
         const HockingFaceChange& change = *computed.blow_out;
@@ -115,9 +115,8 @@ void blow_out(Chapter5Item& item) {
     for (const Variant& variant : variants()) {
         const HockingResult other = compute(varied(run, variant), Engine::recreated);
         result.json["blows_out"][variant.name] = other.blow_out_cycle.has_value();
-        result.rows.push_back({"the same, " + variant.name, "",
-                               other.blow_out_cycle ? outcome_in_words(other) : "no blow-out", "",
-                               std::to_string(other.face_change_count) + " changes of face"});
+        result.add("the same, " + variant.name, "", other.blow_out_cycle ? outcome_in_words(other) : "no blow-out",
+                   std::to_string(other.face_change_count) + " changes of face");
     }
 }
 
@@ -181,10 +180,10 @@ void blow_outs_of_random_starts(Chapter5Item& item) {
                                                      {"largest_speed_m_per_s", speed},
                                                      {"speed_of_fall_m_per_s", fall}});
     }
-    item.result.rows.push_back({std::to_string(4 * item.starts) + " random starts", "",
-                                std::to_string(listed_blow_outs) + " blow-outs", "",
-                                "energy error at most " + human_number(100 * worst_error, 2) + " %",
-                                std::to_string(clean_blow_outs) + " blow-outs"});
+    item.result.add(std::to_string(4 * item.starts) + " random starts", "",
+                    std::to_string(listed_blow_outs) + " blow-outs",
+                    "energy error at most " + human_number(100 * worst_error, 2) + " %",
+                    std::to_string(clean_blow_outs) + " blow-outs");
 }
 
 }  // namespace delabole

@@ -84,16 +84,14 @@ void closed_gap(Chapter5Item& item) {
                                  {"opening_after_in", closed.opening_after},
                                  {"parted_in", parted},
                                  {"outcome", outcome_in_words(closed.result)}};
-    result.rows.push_back(
-        {"Fig 5.11: opening before and after the lower block is held and the upper slides", "closed",
-         human_number(closed.opening_before, 2) + " and " + human_number(closed.opening_after, 2) + " in", "",
-         statement(closed.opening_after < closed.opening_before)});
-    result.rows.push_back({"Fig 5.11: then tilted from 18 to 18.5 deg", "fails as before, each block by itself",
-                           outcome_in_words(closed.result) + "; parted by " + human_number(parted, 2) +
-                               " in when the lower has turned by 0.1 deg",
-                           "",
-                           statement(parted > 0 && closed.result.outcome == HockingOutcome::fails) +
-                               "; the inclinations are not printed"});
+    result.add("Fig 5.11: opening before and after the lower block is held and the upper slides", "closed",
+               human_number(closed.opening_before, 2) + " and " + human_number(closed.opening_after, 2) + " in",
+               statement(closed.opening_after < closed.opening_before));
+    result.add(
+        "Fig 5.11: then tilted from 18 to 18.5 deg", "fails as before, each block by itself",
+        outcome_in_words(closed.result) + "; parted by " + human_number(parted, 2) +
+            " in when the lower has turned by 0.1 deg",
+        statement(parted > 0 && closed.result.outcome == HockingOutcome::fails) + "; the inclinations are not printed");
     item.draw(frames_figure("Fig 5.11: gap closed, tilted from 18 to 18.5 deg", closed.run, closed.result,
                             {0, 2500, closed.result.prints.back().cycle}),
               "fig_5_11", "Slots of contact memory start empty at each stage; the listing's restart keeps them.");
@@ -122,18 +120,18 @@ void backward_sliding(Chapter5Item& item) {
             result.json[keys[which]].push_back(share);
             if (engine == Engine::recreated) {
                 const int begin = cycle.value_or(0);
-                result.rows.push_back({run.name + ": cycle at which backward sliding begins", "drawn at 4500",
-                                       std::to_string(begin), "",
-                                       statement(begin > drawn_cycle - plot_interval && begin <= drawn_cycle) +
-                                           ": with a plot every 500 cycles; the inclination is not printed"});
+                result.add(run.name + ": cycle at which backward sliding begins", "drawn at 4500",
+                           std::to_string(begin),
+                           statement(begin > drawn_cycle - plot_interval && begin <= drawn_cycle) +
+                               ": with a plot every 500 cycles; the inclination is not printed");
             }
             row.insert(row.end(), {in_words(cycle), cycle ? human_number(rotation / degrees(1), 3) : "",
                                    cycle ? human_number(share, 3) : ""});
         }
     }
     const auto words = [](bool is) { return is ? "earlier" : "not earlier"; };
-    result.rows.push_back({"backward sliding begins at earlier stages as a/b grows", "earlier", words(earlier[0]), "",
-                           statement(earlier[0]), words(earlier[1])});
+    result.add("backward sliding begins at earlier stages as a/b grows", "earlier", words(earlier[0]),
+               statement(earlier[0]), words(earlier[1]));
 }
 
 namespace {
@@ -281,11 +279,10 @@ void observations(Chapter5Item& item) {
             listings += "; " + otherwise.front()[listing].name + ": " + words;
         }
         item.result.json["shifted"][one.name] = {{"held", held}, {"usable", usable}};
-        item.result.rows.push_back({one.what, one.printed, computed, "",
-                                    statement(one.holds(cycles)) + "; in " + std::to_string(held) + " of " +
-                                        std::to_string(usable) + " starts with the last typed digits shifted" +
-                                        listings,
-                                    clean});
+        item.result.add(one.what, one.printed, computed,
+                        statement(one.holds(cycles)) + "; in " + std::to_string(held) + " of " +
+                            std::to_string(usable) + " starts with the last typed digits shifted" + listings,
+                        clean);
     }
     item.draw(figure_of_rotations(runs, histories, clean_histories), "observations",
               "Stiffness, time step and damping; dashed: clean engine, dropped.");

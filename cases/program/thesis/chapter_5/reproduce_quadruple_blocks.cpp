@@ -130,16 +130,14 @@ void add_history(const Chapter5Run& run, const HockingResult& reference, const s
                                     " of tables, and in " +
                                     share_in_words(1 - std::pow(1 - chance, static_cast<double>(item.runs.size()))) +
                                     " for one of " + number_in_words(static_cast<double>(item.runs.size()));
-    result.rows.push_back(
-        {run.name + ": rows as those of " + std::to_string(starts.size()) + " starts, on average",
-         "as starts among themselves: " + share_in_words(agrees.least) + " to " + share_in_words(agrees.greatest),
-         share_in_words(agrees.mean), "",
-         statement(alike) + (alike ? "" : by_accident) + as_starts +
-             "; the nearest start agrees with the printed table in " + share_in_words(agrees.nearest) +
-             " of blocks and rows, by chance it would be " + share_in_words(agrees.by_chance)});
-    result.rows.push_back(
-        {run.name + ": first row that shorter words or blocks listed from the last change, and rows as printed", "",
-         parted, "", ""});
+    result.add(run.name + ": rows as those of " + std::to_string(starts.size()) + " starts, on average",
+               "as starts among themselves: " + share_in_words(agrees.least) + " to " + share_in_words(agrees.greatest),
+               share_in_words(agrees.mean),
+               statement(alike) + (alike ? "" : by_accident) + as_starts +
+                   "; the nearest start agrees with the printed table in " + share_in_words(agrees.nearest) +
+                   " of blocks and rows, by chance it would be " + share_in_words(agrees.by_chance));
+    result.add(run.name + ": first row that shorter words or blocks listed from the last change, and rows as printed",
+               "", parted, "");
     item.below.add(history_table(run, printed, starts));
     item.draw(
         history_lanes(run, printed, starts), "table_" + run.name.substr(6, 1) + "_" + run.name.substr(8),
@@ -208,25 +206,24 @@ void histories_of_four_blocks(Chapter5Item& item) {
         const int clean_parted = first_difference(run, Engine::dropped, exact_blocks(run), last_bit);
         result.json["first_different_print"][run.name] = parted;
         result.json["first_different_print_of_clean"][run.name] = clean_parted;
-        result.rows.push_back({run.name + ": first print that a shift of 1e-15 m changes", "",
-                               "cycle " + std::to_string(parted), "", "",
-                               clean_parted > 0 ? "cycle " + std::to_string(clean_parted) : std::string("none")});
+        result.add(run.name + ": first print that a shift of 1e-15 m changes", "", "cycle " + std::to_string(parted),
+                   "", clean_parted > 0 ? "cycle " + std::to_string(clean_parted) : std::string("none"));
     }
     result.json["printed_totals_within_range"] = count.within;
     result.json["printed_totals"] = count.totals;
     result.json["senses_as_printed"] = count.computed;
     result.json["clean_senses_as_printed"] = count.clean;
     result.json["senses_of_starts"] = count.starts;
-    result.rows.push_back({"printed totals within the range of the starts", std::to_string(count.totals),
-                           std::to_string(count.within), "", "", std::to_string(count.clean_within)});
+    result.add("printed totals within the range of the starts", std::to_string(count.totals),
+               std::to_string(count.within), "", std::to_string(count.clean_within));
     const auto [fewest, most] = std::ranges::minmax(count.starts);
-    result.rows.push_back({"blocks whose prevailing sense is the printed one", std::to_string(count.senses),
-                           std::to_string(count.computed), "",
-                           statement(count.computed == count.senses) + ": with the last typed digits shifted " +
-                               std::to_string(fewest) + " to " + std::to_string(most) + ", all of them in " +
-                               std::to_string(std::ranges::count(count.starts, count.senses)) + " of " +
-                               std::to_string(item.starts) + " starts",
-                           std::to_string(count.clean)});
+    result.add("blocks whose prevailing sense is the printed one", std::to_string(count.senses),
+               std::to_string(count.computed),
+               statement(count.computed == count.senses) + ": with the last typed digits shifted " +
+                   std::to_string(fewest) + " to " + std::to_string(most) + ", all of them in " +
+                   std::to_string(std::ranges::count(count.starts, count.senses)) + " of " +
+                   std::to_string(item.starts) + " starts",
+               std::to_string(count.clean));
 }
 
 }  // namespace delabole

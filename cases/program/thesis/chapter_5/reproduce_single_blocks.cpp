@@ -97,13 +97,12 @@ void first_swings(Chapter5Item& item) {
     result.json["period_ratio_18.15_to_18.1"] = period;
     result.json["greatest_amplitude_ratio"] = greatest_ratio;
     const auto almost_twice = [](double value) { return statement(std::abs(value - 2) <= 0.25); };
-    result.rows.push_back(
-        {"Fig 5.7: first landing at 18.15 deg over that at 18.1 deg", "almost twice", human_number(period, 3), "",
-         almost_twice(period) + ": cycles " + std::to_string(landing(b)) + " and " + std::to_string(landing(a))});
-    result.rows.push_back(
-        {"Fig 5.7: first swing at 18.15 deg over that at 18.1 deg", "almost twice", human_number(ratio, 3), "",
-         almost_twice(ratio) + ": an inclination on the point of failure swings " + human_number(greatest_ratio, 3) +
-             " times as far as one 0.05 deg below it, so that more cannot come of the last digits"});
+    result.add("Fig 5.7: first landing at 18.15 deg over that at 18.1 deg", "almost twice", human_number(period, 3),
+               almost_twice(period) + ": cycles " + std::to_string(landing(b)) + " and " + std::to_string(landing(a)));
+    result.add("Fig 5.7: first swing at 18.15 deg over that at 18.1 deg", "almost twice", human_number(ratio, 3),
+               almost_twice(ratio) + ": an inclination on the point of failure swings " +
+                   human_number(greatest_ratio, 3) +
+                   " times as far as one 0.05 deg below it, so that more cannot come of the last digits");
 }
 
 // How the last typed digit of the coordinates changes the runs.
@@ -140,9 +139,9 @@ void tilting_from_the_horizontal(Chapter5Item& item) {
                 }
             }
         }
-        item.result.rows.push_back({"tilted from the horizontal, 1 deg in " + row[0] + " cycles: turned by 1 deg",
-                                    "very unstable", row[5] + " deg (base turned)", row[1] + " deg (gravity turned)",
-                                    "18.43 deg by equilibrium", row[7] + " deg (base turned)"});
+        item.result.add({"tilted from the horizontal, 1 deg in " + row[0] + " cycles: turned by 1 deg", "very unstable",
+                         row[5] + " deg (base turned)", row[1] + " deg (gravity turned)", "18.43 deg by equilibrium",
+                         row[7] + " deg (base turned)"});
     }
     const std::string title = "Fig 5.5: base turned by 1 deg in 100 cycles";
     const Chapter5Run shown = tilted_from_horizontal(TiltedPart::base, 100);

@@ -105,11 +105,11 @@ void thresholds_by_stiffness(Chapter5Item& item) {
     }
     const Polyline& two = lines[two_dropped].points;
     result.json["farthest_from_law_deg"] = farthest_from_law;
-    result.rows.push_back({"one block, preloaded: farthest from tan(tilt) = b/a - W/(k b) sqrt(1 + (b/a)^2)", "",
-                           in_degrees(farthest_from_law, 2), "", "bisected to 0.002 deg"});
-    result.rows.push_back({"two blocks, dropped: stands up to, 1e6 and 1e9 N/m", "softer fails; stiffer fails faster",
-                           "", "", "stiffer stands longer, without exception",
-                           human_number(two.front().y(), 5) + " and " + in_degrees(two.back().y())});
+    result.add("one block, preloaded: farthest from tan(tilt) = b/a - W/(k b) sqrt(1 + (b/a)^2)", "",
+               in_degrees(farthest_from_law, 2), "bisected to 0.002 deg");
+    result.add("two blocks, dropped: stands up to, 1e6 and 1e9 N/m", "softer fails; stiffer fails faster", "",
+               "stiffer stands longer, without exception",
+               human_number(two.front().y(), 5) + " and " + in_degrees(two.back().y()));
     Figure figure{.title = "5.3.1 and 5.3.2: greatest tilt that stands, a/b = 3"};
     figure.x = {.title = "stiffness of a corner",
                 .unit = "N/m",
@@ -155,11 +155,10 @@ void thresholds_by_step_and_damping(Chapter5Item& item) {
     }
     item.result.json["preloaded_spread_deg"] = greatest - least;
     item.result.json["dropped_spread_by_step_deg"] = of_step;
-    item.result.rows.push_back({"preloaded: largest change by step or damping",
-                                "halving the step: more than twice the cycles", in_degrees(greatest - least, 2), "",
-                                ""});
-    item.result.rows.push_back({"dropped: largest change by the step", "", "", "",
-                                "damping matters there: it takes the energy of the drop", in_degrees(of_step, 2)});
+    item.result.add("preloaded: largest change by step or damping", "halving the step: more than twice the cycles",
+                    in_degrees(greatest - least, 2), "");
+    item.result.add("dropped: largest change by the step", "", "",
+                    "damping matters there: it takes the energy of the drop", in_degrees(of_step, 2));
 }
 
 namespace {
@@ -227,10 +226,10 @@ void onset_of_the_stepped_base(Chapter5Item& item) {
     add("inches", ratio, "dropped", "10 deg", limit_of_inches(inches, RelaxationStart::dropped, degrees(10)));
     result.json["inches_dropped_deg"] = dropped;
     result.json["inches_preloaded_deg"] = preloaded;
-    result.rows.push_back({"stepped base: onset at k b/W = 1e7", "41.14 deg", "", in_degrees(finest - theory, 2),
-                           "printed: limit equilibrium", in_degrees(finest)});
-    result.rows.push_back({"the thesis's blocks, dropped: limit", "between 42 and 44 deg", "", "",
-                           statement(dropped > 42 && dropped < 44), in_degrees(dropped)});
+    result.add({"stepped base: onset at k b/W = 1e7", "41.14 deg", "", in_degrees(finest - theory, 2),
+                "printed: limit equilibrium", in_degrees(finest)});
+    result.add("the thesis's blocks, dropped: limit", "between 42 and 44 deg", "",
+               statement(dropped > 42 && dropped < 44), in_degrees(dropped));
     Figure figure{.title = "5.3.4.2: friction at which the stepped base begins to move"};
     figure.x = {.title = "stiffness k b / W of the tallest column",
                 .range = std::pair(2.8, 7.2),

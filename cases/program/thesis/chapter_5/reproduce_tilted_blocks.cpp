@@ -111,8 +111,8 @@ void one_input_changed(Chapter5Item& item) {
     }
     item.result.json["complete"][turned] = complete;
     const std::string words = complete.empty() ? "none of those tried" : separated(complete, "; ");
-    item.result.rows.push_back({turned + ": with which all 11 printed outcomes come", "", words, "",
-                                std::to_string(computed.size() - 1) + " inputs tried, one changed at a time"});
+    item.result.add(turned + ": with which all 11 printed outcomes come", "", words,
+                    std::to_string(computed.size() - 1) + " inputs tried, one changed at a time");
 }
 
 }  // namespace delabole

@@ -87,10 +87,10 @@ void add_statements(const Chapter5Run& run, const HockingResult& result, int cou
             for (const OtherListing& listing : listings) {
                 otherwise += "; " + listing.name + ": " + one.computed(run, listing.result);
             }
-            reproduction.rows.push_back(
-                {"three blocks " + run.name + ": " + one.what, one.printed, one.computed(run, result), "",
-                 statement(one.holds(run, result)) + "; so in " + std::to_string(held) + " of " +
-                     std::to_string(starts.size()) + " starts with the last typed digits shifted" + otherwise});
+            reproduction.add("three blocks " + run.name + ": " + one.what, one.printed, one.computed(run, result),
+                             statement(one.holds(run, result)) + "; so in " + std::to_string(held) + " of " +
+                                 std::to_string(starts.size()) + " starts with the last typed digits shifted" +
+                                 otherwise);
         }
     }
     if (run.name == "(ii)") {
@@ -137,8 +137,8 @@ void senses_of_three_blocks(Chapter5Item& item) {
                     {{"forward", one.forward}, {"backward", one.backward}, {"none", one.none}});
             }
         }
-        result.rows.push_back({"three blocks " + run.name + ": block 1 / block 3 slides mostly", "forward / backward",
-                               in_each[0], "", statement(senses), in_each[1]});
+        result.add("three blocks " + run.name + ": block 1 / block 3 slides mostly", "forward / backward", in_each[0],
+                   statement(senses), in_each[1]);
         add_statements(run, results[0], item.starts, result);
     }
 }
