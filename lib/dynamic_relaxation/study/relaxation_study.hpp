@@ -10,11 +10,11 @@
 #include "dynamic_relaxation/study/ensemble.hpp"
 #include "dynamic_relaxation/study/post_failure.hpp"
 #include "dynamic_relaxation/study/retrogression.hpp"
-#include "numerics/constants.hpp"
 #include "parameters/model_interface.hpp"
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -148,13 +148,14 @@ double stiffness_ratio_of(const RelaxationStudy& study);
 
 // The result as outputs: numbers that a run does not have are infinite or 0.
 struct RelaxationAnswer : RelaxationResult {
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
     std::optional<PostFailureAnswer> post_failure = {};     // of a jointed slope
     std::optional<PostFailureAnswer> early_failure = {};    // of a jointed slope
     std::optional<RetrogressionAnswer> retrogression = {};  // if requested
 
-    double onset() const { return onset_time.value_or(infinity); }
-    double crack_time() const { return first_crack ? first_crack->time : infinity; }
-    double crack_tilt() const { return first_crack ? first_crack->tilt : infinity; }
+    double onset() const { return onset_time.value_or(infinite); }
+    double crack_time() const { return first_crack ? first_crack->time : infinite; }
+    double crack_tilt() const { return first_crack ? first_crack->tilt : infinite; }
     double crack_block() const {
         return first_crack ? static_cast<double>(std::min(first_crack->block, first_crack->other) + 1) : 0;
     }
@@ -162,7 +163,7 @@ struct RelaxationAnswer : RelaxationResult {
         return first_crack ? static_cast<double>(std::max(first_crack->block, first_crack->other) + 1) : 0;
     }
     double bonds_broken() const { return static_cast<double>(broken_bonds); }
-    double unbalanced_at_start() const { return start_balance ? start_balance->unbalanced_ratio : infinity; }
+    double unbalanced_at_start() const { return start_balance ? start_balance->unbalanced_ratio : infinite; }
     double greatest_overlap() const { return deepest ? deepest->overlap : 0; }
     double overlap_area() const { return overlap ? overlap->area : 0; }
     double steps() const { return static_cast<double>(cost.steps); }
