@@ -110,28 +110,30 @@ BlocksBetween::BlocksBetween(const Bodies& bodies, const std::vector<BlockPair>&
     }
 }
 
-// Whether any third block near these two matches. Two fixed blocks are not listed, but one of these two is free.
+// Whether any third block near these two matches at some depth of the gap, as a share of it. At one depth two thirds
+// may meet. Two fixed blocks are not listed as near, but one of these two is free.
 template <class Matches>
 bool BlocksBetween::any_near(std::size_t block, std::size_t other, const Matches& matches) const {
-    return std::ranges::any_of(near_[bodies_.fixed[block] != 0 ? other : block],
-                               [&](std::size_t third) { return third != block && third != other && matches(third); });
+    return std::ranges::any_of(near_[bodies_.fixed[block] != 0 ? other : block], [&](std::size_t third) {
+        const auto matches_at = [&](double depth) { return matches(third, depth); };
+        return third != block && third != other && std::ranges::any_of(std::array{0.5, 0.41, 0.59}, matches_at);
+    });
 }
 
 bool BlocksBetween::part(const SharedFace& face) const {
     constexpr double thin = 2;            // joint openings
     constexpr double much_of_face = 0.1;  // neighbours at its ends reach in by rounding
-    const auto [at_start, at_end] = opening_in_drawing(bodies_, face);
-    const double opening = std::max(at_start, at_end);
+    const std::array<double, 2> open = opening_in_drawing(bodies_, face);
+    const double opening = std::max(open[0], open[1]);
     if (opening <= least_gap(bodies_, face.block, face.other)) {
         return false;
     }
     const PlanePoint<> normal = bodies_.normal(face.other_edge);
     const PlanePoint<> half = face.length / 2 * face.along;
-    const PlanePoint<> start = face.other_arm - half + at_start / 2 * normal;
-    const PlanePoint<> end = face.other_arm + half + at_end / 2 * normal;
-    return any_near(face.block, face.other, [&](std::size_t third) {
-        const PlanePoint<> away = bodies_.centroid[face.other] - bodies_.centroid[third];
-        const double share = share_inside(third, away + start, away + end);
+    return any_near(face.block, face.other, [&](std::size_t third, double depth) {
+        const PlanePoint<> middle = bodies_.centroid[face.other] - bodies_.centroid[third] + face.other_arm;
+        const double share =
+            share_inside(third, middle - half + depth * open[0] * normal, middle + half + depth * open[1] * normal);
         const bool is_thin = extent_along(bodies_, third, normal) <= thin * opening;
         return share > much_of_face || (is_thin && share * face.length > bodies_.shortest_edge[third] / 2);
     });
@@ -143,10 +145,9 @@ bool BlocksBetween::part(std::size_t corner, std::size_t other_edge, double gap)
     if (gap <= least_gap(bodies_, block, other)) {
         return false;
     }
-    const PlanePoint<> between =
-        bodies_.centroid[block] + bodies_.corner[corner] - gap / 2 * bodies_.normal(other_edge);
-    return any_near(block, other, [&](std::size_t third) {
-        const PlanePoint<> at = between - bodies_.centroid[third];
+    const PlanePoint<> tip = bodies_.centroid[block] + bodies_.corner[corner];
+    return any_near(block, other, [&](std::size_t third, double depth) {
+        const PlanePoint<> at = tip - depth * gap * bodies_.normal(other_edge) - bodies_.centroid[third];
         return share_inside(third, at, at) > 0;
     });
 }

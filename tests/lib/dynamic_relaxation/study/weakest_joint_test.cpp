@@ -44,12 +44,14 @@ SlopeCut plane(const std::string& joint, double dip, double height) {
 // The walls of a seam of 0.5 mm, of 40 deg of friction, are nearer to each other than a closed joint may be drawn open.
 TEST(WeakestJoint, TheWallsOfAThinSeamDoNotTouch) {
     using namespace relaxation_scenes;
-    for (const int pieces : {1, 3}) {
+    for (const auto& [pieces, layers] : {std::pair(1, 1), std::pair(3, 1), std::pair(1, 2), std::pair(2, 4)}) {
         constexpr double seam = 0.0005;
         RelaxationScene scene;
         scene.block = {{rectangle(0, seam, 1, 0.5), density}, fixed_block(rectangle(-3, -1, 7, 1))};
-        for (int piece = 0; piece < pieces; ++piece) {
-            scene.block.push_back({rectangle(1.0 * piece / pieces, 0, 1.0 / pieces, seam), density});
+        for (int piece = 0; piece < pieces * layers; ++piece) {
+            const double left = 1.0 * (piece % pieces) / pieces;
+            const double bottom = seam * (piece / pieces) / layers;  // NOLINT(bugprone-integer-division): the layer
+            scene.block.push_back({rectangle(left, bottom, 1.0 / pieces, seam / layers), density});
             scene.block.back().joint = {1, 1, 1, 1};
         }
         scene.material = {joint(1e6 * density * gravity, degrees(40)), joint(1e6 * density * gravity, degrees(10))};
