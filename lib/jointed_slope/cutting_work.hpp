@@ -56,6 +56,7 @@ struct RocksOfLine {
 struct DrawnLine {
     std::size_t cut;  // its number among the cuts
     Polyline middle;
+    std::vector<Polyline> face;  // the line itself, or both faces of a fault
     double half_thickness;
     MeshIndex joint;
     RocksOfLine rocks;

@@ -103,9 +103,7 @@ void divide_where_they_meet(CuttingWork& work, MeshIndex face, const std::vector
 }  // namespace
 
 std::optional<std::size_t> cut_as_far_as_others(CuttingWork& work, std::vector<CutCount>& count) {
-    const auto ends_in_a_block = [&](const DrawnLine& line) {
-        return line.half_thickness == 0 && count[line.cut].dropped > 0;
-    };
+    const auto ends_in_a_block = [&](const DrawnLine& line) { return count[line.cut].dropped > 0; };
     std::optional<std::size_t> too_fine;
     bool cut_any = false;  // in the last round
     const auto cut_again = [&](std::size_t cut, const CutCount& again) {
@@ -126,9 +124,11 @@ std::optional<std::size_t> cut_as_far_as_others(CuttingWork& work, std::vector<C
             in_face[part.face].push_back(part);
         }
     };
+    bool any_fault = false;
     for (const DrawnLine& line : work.drawn) {
         if (ends_in_a_block(line)) {
             add(unfinished_parts(work, line));
+            any_fault = any_fault || line.half_thickness > 0;
         }
     }
     for (const PlacedSet& set : work.bounded) {
@@ -139,12 +139,17 @@ std::optional<std::size_t> cut_as_far_as_others(CuttingWork& work, std::vector<C
     }
     // Each may end on another one that is cut after it.
     constexpr int most_rounds = 10;
-    bool rocks_change = cut_any;
+    bool rocks_change = cut_any || any_fault;
     for (int round = 0; round < most_rounds && !too_fine; ++round) {
         cut_any = false;
         for (const DrawnLine& line : work.drawn) {
             if (ends_in_a_block(line)) {
-                cut_again(line.cut, cut_pieces(work, line.middle, line.joint));
+                CutCount again;
+                for (const Polyline& points : line.face) {
+                    const CutCount of_face = cut_pieces(work, points, line.joint);
+                    again = {again.made + of_face.made, again.dropped + of_face.dropped, again.along + of_face.along};
+                }
+                cut_again(line.cut, again);
             }
         }
         cut_sets_again();
