@@ -25,8 +25,9 @@ struct SharedFace {
 };
 
 // A joint of two blocks counts as closed if it is open by no more than this in the initial geometry: in shortest edges
-// of the two, and in m. Its blocks touch there from the beginning, so that rounded coordinates make no difference.
-inline constexpr double closed_joint = 1e-3;
+// of the two, and in m. Its blocks touch there from the beginning, so that rounded coordinates make no difference. Nor
+// does rounding where a joint is drawn open by just a thousandth.
+inline constexpr double closed_joint = (1 + 1e-9) * 1e-3;
 inline double opening_of_closed_joint(const Bodies& bodies, std::size_t block, std::size_t other,
                                       double opening = closed_joint) {
     return opening * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);

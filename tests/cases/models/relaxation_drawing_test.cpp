@@ -91,6 +91,31 @@ TEST(RelaxationDrawing, OpenJointsAreSaidToHaveNoCohesion) {
     EXPECT_TRUE(warns_of_open_joints(analysis_of_slab({"-5e-3", "0", "0"})));
 }
 
+// The block's own joint has less friction and more cohesion than that of its base.
+TEST(RelaxationDrawing, FacesOfUnlikeJointsAreNamed) {
+    const auto warns_of_unlike_faces = [](std::string_view cohesion_of_base) {
+        const std::string text = R"(schema = 1
+model = "relaxation"
+[scene]
+kind = "blocks"
+tilt = "15 deg"
+joint = [{ friction_angle = "20 deg", cohesion = "50 kPa" }, { friction_angle = "21 deg", cohesion = "COHESION" }]
+block = [
+    { density = "2700 kg/m3", vertex = [{ x = "0 m", y = "0 m" }, { x = "2 m", y = "0 m" }, { x = "2 m", y = "1 m" }, { x = "0 m", y = "1 m" }] },
+    { density = "2700 kg/m3", hold = "fixed", vertex = [{ x = "-4 m", y = "-1 m" }, { x = "9 m", y = "-1 m" }, { x = "9 m", y = "0 m", joint = 2 }, { x = "-4 m", y = "0 m" }] },
+]
+[settings]
+stop = "onset"
+)";
+        const Analysis found = analyse_model(parse_case(changed(text, "COHESION", cohesion_of_base), "case").model);
+        return std::ranges::any_of(found.warnings, [](const std::string& warning) {
+            return warning.find("block 1 and block 2 touch differ") != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(warns_of_unlike_faces("0 kPa"));
+    EXPECT_FALSE(warns_of_unlike_faces("50 kPa"));
+}
+
 // Between walls lie two blocks and, in a corner, three small ones, the least of 0.02 m; coordinates are rounded to a
 // micrometre. All runs up to 62.8 deg come to rest where they begin. Searches said 35 to 61 deg, by their upper bound,
 // where the least block slipped on the way of the static solver to the balance.

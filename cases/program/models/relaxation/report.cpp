@@ -181,6 +181,25 @@ void append_warning_of_open_joints(const RelaxationScene& scene, Analysis& analy
     }
 }
 
+// Warns where the two faces of a joint have different strengths and neither is the weaker one in all of them.
+void append_warning_of_unlike_faces(const RelaxationScene& scene, Analysis& analysis) {
+    const Bodies bodies = make_bodies(scene);
+    const std::vector<SharedFace> faces = find_shared_faces(bodies);
+    const auto is_unlike = [&](const SharedFace& face) {
+        const std::size_t weaker = weaker_joint(scene, bodies, face.edge, face.other_edge);
+        const JointMaterial& counts = scene.material[weaker];
+        const JointMaterial& other =
+            scene.material[bodies.material[weaker == bodies.material[face.edge] ? face.other_edge : face.edge]];
+        return counts.cohesion > other.cohesion || counts.tensile_strength > other.tensile_strength;
+    };
+    if (const auto first = std::ranges::find_if(faces, is_unlike); first != faces.end()) {
+        analysis.warnings.push_back("the joints of the faces at which " + block_name(first->block) + " and " +
+                                    block_name(first->other) +
+                                    " touch differ: the one with less friction counts, although it has more cohesion "
+                                    "or tensile strength than the other");
+    }
+}
+
 // Warns of differences between the start of the run and the initial geometry, and of forces on fixed blocks or outside
 // their blocks.
 void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
@@ -202,6 +221,7 @@ void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
                                     " % of its load: at first they settle, as if dropped");
     }
     append_warning_of_open_joints(made.scene, analysis);
+    append_warning_of_unlike_faces(made.scene, analysis);
     if (std::ranges::none_of(made.scene.block, &RelaxationBlock::fixed) && !made.scene.belt) {
         analysis.warnings.emplace_back("no block is fixed: all of them fall");
     }

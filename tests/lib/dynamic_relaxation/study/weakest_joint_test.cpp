@@ -73,6 +73,33 @@ TEST(WeakestJoint, TheWallsOfAThinSeamDoNotTouch) {
     }
 }
 
+// A fault with gouge that daylights in the face and ends in rock beyond a crack from the crest: all between face, fault
+// and crack slides, as along a joint without thickness.
+TEST(WeakestJoint, AFaultThatEndsBeyondACrackIsNotLost) {
+    const double expected = std::tan(degrees(20)) / std::tan(degrees(30));
+    const auto fault = [](std::optional<double> thickness, double end) {
+        const auto at = [](double x) { return SectionPoint{x, 1 + (x - 0.4) * std::tan(degrees(30))}; };
+        SlopeCut cut{"fault", "weak", testing::line({at(-1), at(end)})};
+        std::get<LineCut>(cut.trace).thickness = thickness;
+        std::get<LineCut>(cut.trace).gouge = thickness ? std::optional<std::string>("rock") : std::nullopt;
+        return cut;
+    };
+    const SlopeCut crack{"crack", "strong", testing::line({{10, 11}, {10, 4.5}})};
+    for (const std::optional<double> thickness : {std::optional<double>(), std::optional(0.01), std::optional(0.1)}) {
+        for (const double end : {10.0, 12.0}) {  // on the crack, and beyond it
+            for (const bool crack_first : {false, true}) {
+                std::vector<SlopeCut> cuts{fault(thickness, end), crack};
+                if (crack_first) {
+                    std::swap(cuts[0], cuts[1]);
+                }
+                const CriticalAnswer found = find_critical(two_joints(std::move(cuts), 0.001));
+                EXPECT_EQ(found.status, CriticalStatus::found) << thickness.value_or(0) << ' ' << end;
+                EXPECT_NEAR(found.value(), expected, within_bracket) << thickness.value_or(0) << ' ' << end;
+            }
+        }
+    }
+}
+
 // All above the weak plane slides on it, whatever is cut beside it, and in whatever order.
 TEST(WeakestJoint, AWeakPlaneIsNotLostBesideAStrongOne) {
     const double expected = std::tan(degrees(20)) / std::tan(degrees(35));
