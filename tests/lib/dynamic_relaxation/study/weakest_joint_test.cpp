@@ -85,7 +85,7 @@ TEST(WeakestJoint, AFaultThatEndsBeyondACrackIsNotLost) {
         return cut;
     };
     const SlopeCut crack{"crack", "strong", testing::line({{10, 11}, {10, 4.5}})};
-    for (const std::optional<double> thickness : {std::optional<double>(), std::optional(0.01), std::optional(0.1)}) {
+    for (const std::optional<double> thickness : {std::optional<double>(), std::optional(0.1)}) {
         for (const double end : {10.0, 12.0}) {  // on the crack, and beyond it
             for (const bool crack_first : {false, true}) {
                 std::vector<SlopeCut> cuts{fault(thickness, end), crack};
