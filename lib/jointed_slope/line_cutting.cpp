@@ -51,18 +51,6 @@ Faces faces_of(const Polyline& middle, double half_thickness) {
     return faces;
 }
 
-// Both ends run on by a length. Where a fault ends on a joint that it meets at a sharp angle, one of its faces would
-// end before it.
-std::vector<Polyline> lengthened(std::vector<Polyline> lines, double by) {
-    for (Polyline& line : lines) {
-        const PlanePoint<> back = (line.front() - line[1]).normalized();
-        const PlanePoint<> forth = (line.back() - line[line.size() - 2]).normalized();
-        line.front() += by * back;
-        line.back() += by * forth;
-    }
-    return lines;
-}
-
 // Puts a vertex on an edge at a point that lies on it; returns false if it does not.
 bool put_vertex(SectionMesh& mesh, MeshIndex edge, const PlanePoint<>& point, double snap) {
     const PlanePoint<> direction = (mesh.end(edge) - mesh.start(edge)).normalized();
@@ -276,14 +264,30 @@ CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line,
     if (half_thickness > 0) {
         work.gouge.push_back(rocks.gouge);
     }
-    work.drawn.push_back({number, middle, lengthened(faces.line, 2 * half_thickness), half_thickness, joint, rocks});
+    work.drawn.push_back({number, middle, faces.line, half_thickness, joint, rocks});
     give_rocks(work, work.drawn.back());
     return count;
 }
 
+std::vector<Polyline> lines_to_finish(const CuttingWork& work, const DrawnLine& line) {
+    std::vector<MeshIndex> all(work.mesh.face_count());
+    std::iota(all.begin(), all.end(), MeshIndex{0});
+    std::vector<Polyline> lines = line.face;
+    for (Polyline& points : lines) {
+        const auto run_on = [&](PlanePoint<>& end, const PlanePoint<>& before) {
+            if (face_around(work.mesh, all, end, work.snap) != no_index) {
+                end += 2 * line.half_thickness * (end - before).normalized();
+            }
+        };
+        run_on(points.front(), points[1]);
+        run_on(points.back(), points[points.size() - 2]);
+    }
+    return lines;
+}
+
 std::vector<UnfinishedPart> unfinished_parts(const CuttingWork& work, const DrawnLine& line) {
     std::vector<UnfinishedPart> unfinished;
-    for (const Polyline& points : line.face) {
+    for (const Polyline& points : lines_to_finish(work, line)) {
         for (std::size_t piece = 1; piece < points.size(); ++piece) {
             const MeshSegment segment{points[piece - 1], points[piece]};
             const StraightLine straight = line_through(segment.first, segment.second);

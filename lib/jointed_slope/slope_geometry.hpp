@@ -81,9 +81,9 @@ struct JointSetCut {
 // A single joint, a fault or a boundary between rocks. A fault with a thickness has two faces at that distance, half of
 // it on either side of the line, with gouge between them.
 // A line divides the blocks that it crosses from side to side, also as far as a point inside a block where it meets or
-// crosses another line, or a joint of a set, if they lie within the snap distance, or a fault's thickness. A part that
-// ends elsewhere inside a block does not divide it. The order of cuts does not matter, unless sets name rocks or other
-// cuts.
+// crosses another line, or a joint of a set, if they lie within the snap distance; a fault that ends inside a block
+// runs on for that by its thickness. A part that ends elsewhere inside a block does not divide it. The order of cuts
+// does not matter, unless sets name rocks or other cuts.
 struct LineCut {
     std::optional<double> thickness;
     std::optional<std::string> gouge;

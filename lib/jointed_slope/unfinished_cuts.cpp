@@ -110,6 +110,14 @@ std::optional<std::size_t> cut_as_far_as_others(CuttingWork& work, std::vector<C
         count[cut] = {count[cut].made + again.made, again.dropped, count[cut].along + again.along};
         cut_any = cut_any || again.made > 0;
     };
+    const auto cut_all = [&](const std::vector<Polyline>& lines, MeshIndex joint) {
+        CutCount sum;
+        for (const Polyline& points : lines) {
+            const CutCount one = cut_pieces(work, points, joint);
+            sum = {sum.made + one.made, sum.dropped + one.dropped, sum.along + one.along};
+        }
+        return sum;
+    };
     const auto cut_sets_again = [&] {
         for (const PlacedSet& set : work.bounded) {
             SlopeCheck check = SlopeCheck::valid;
@@ -144,18 +152,19 @@ std::optional<std::size_t> cut_as_far_as_others(CuttingWork& work, std::vector<C
         cut_any = false;
         for (const DrawnLine& line : work.drawn) {
             if (ends_in_a_block(line)) {
-                CutCount again;
-                for (const Polyline& points : line.face) {
-                    const CutCount of_face = cut_pieces(work, points, line.joint);
-                    again = {again.made + of_face.made, again.dropped + of_face.dropped, again.along + of_face.along};
-                }
-                cut_again(line.cut, again);
+                cut_again(line.cut, cut_all(lines_to_finish(work, line), line.joint));
             }
         }
         cut_sets_again();
         rocks_change = rocks_change || cut_any;
         if (!cut_any) {
             break;
+        }
+    }
+    // What runs on beyond the end of a fault is not missed.
+    for (const DrawnLine& line : work.drawn) {
+        if (line.half_thickness > 0 && ends_in_a_block(line)) {
+            cut_again(line.cut, cut_all(line.face, line.joint));
         }
     }
     // A boundary that ends inside a block parts rocks as far as later cuts part the block.

@@ -102,19 +102,27 @@ std::vector<BlockPair> touching_blocks(const Bodies& bodies, double opening) {
     return neighbouring_blocks(bodies, unmoved, none_removed, reach);
 }
 
-BlocksBetween::BlocksBetween(const Bodies& bodies, const std::vector<BlockPair>& near)
+BlocksBetween::BlocksBetween(const Bodies& bodies, const std::vector<BlockPair>& near, const std::vector<char>& gone)
     : bodies_(bodies), near_(bodies.size()) {
+    const auto is_there = [&](std::size_t block) { return gone.empty() || gone[block] == 0; };
     for (const auto& [first, second] : near) {
-        near_[first].push_back(second);
-        near_[second].push_back(first);
+        if (is_there(second)) {
+            near_[first].push_back(second);
+        }
+        if (is_there(first)) {
+            near_[second].push_back(first);
+        }
     }
 }
 
 // Whether any third block near these two matches at some depth of the gap, as a share of it. At one depth two thirds
-// may meet. Two fixed blocks are not listed as near, but one of these two is free.
+// may meet. Two fixed blocks are not listed as near, but one of these two is free; of two free blocks the one with
+// fewer neighbours is asked.
 template <class Matches>
 bool BlocksBetween::any_near(std::size_t block, std::size_t other, const Matches& matches) const {
-    return std::ranges::any_of(near_[bodies_.fixed[block] != 0 ? other : block], [&](std::size_t third) {
+    const bool of_other =
+        bodies_.fixed[block] != 0 || (bodies_.fixed[other] == 0 && near_[other].size() < near_[block].size());
+    return std::ranges::any_of(near_[of_other ? other : block], [&](std::size_t third) {
         const auto matches_at = [&](double depth) { return matches(third, depth); };
         return third != block && third != other && std::ranges::any_of(std::array{0.5, 0.41, 0.59}, matches_at);
     });
@@ -134,8 +142,8 @@ bool BlocksBetween::part(const SharedFace& face) const {
         const PlanePoint<> middle = bodies_.centroid[face.other] - bodies_.centroid[third] + face.other_arm;
         const double share =
             share_inside(third, middle - half + depth * open[0] * normal, middle + half + depth * open[1] * normal);
-        const bool is_thin = extent_along(bodies_, third, normal) <= thin * opening;
-        return share > much_of_face || (is_thin && share * face.length > bodies_.shortest_edge[third] / 2);
+        return share > much_of_face || (share * face.length > bodies_.shortest_edge[third] / 2 &&
+                                        extent_along(bodies_, third, normal) <= thin * opening);
     });
 }
 
@@ -145,14 +153,17 @@ bool BlocksBetween::part(std::size_t corner, std::size_t other_edge, double gap)
     if (gap <= least_gap(bodies_, block, other)) {
         return false;
     }
+    // A corner may lie just above the end of what lies between.
+    constexpr double enough = 0.25;
     const PlanePoint<> tip = bodies_.centroid[block] + bodies_.corner[corner];
+    const PlanePoint<> beside = opening_of_closed_joint(bodies_, block, other) * bodies_.along[other_edge];
     return any_near(block, other, [&](std::size_t third, double depth) {
         const PlanePoint<> at = tip - depth * gap * bodies_.normal(other_edge) - bodies_.centroid[third];
-        return share_inside(third, at, at) > 0;
+        return share_inside(third, at - beside, at + beside) > enough;
     });
 }
 
-// The share of the way between two points about the third block's centroid that lies inside it; 1 or 0 for one point.
+// The share of the way between two points about the third block's centroid that lies inside it.
 double BlocksBetween::share_inside(std::size_t third, const PlanePoint<>& from, const PlanePoint<>& to) const {
     double begin = 0;
     double end = 1;
@@ -169,14 +180,19 @@ double BlocksBetween::share_inside(std::size_t third, const PlanePoint<>& from, 
     return std::max(end - begin, 0.0);
 }
 
-std::vector<SharedFace> find_shared_faces(const Bodies& bodies, double opening) {
+std::vector<SharedFace> find_shared_faces(const Bodies& bodies, double opening, const std::vector<char>& gone) {
     std::vector<SharedFace> faces;
     const std::vector<BlockPair> pairs = touching_blocks(bodies, opening);
     for (const auto& [first, second] : pairs) {
         std::ranges::copy(faces_between(bodies, first, second, opening), std::back_inserter(faces));
     }
-    const BlocksBetween between(bodies, pairs);
-    std::erase_if(faces, [&](const SharedFace& face) { return between.part(face); });
+    const auto is_open = [&](const SharedFace& face) {
+        return std::ranges::max(opening_in_drawing(bodies, face)) > least_gap(bodies, face.block, face.other);
+    };
+    if (std::ranges::any_of(faces, is_open)) {
+        const BlocksBetween between(bodies, pairs, gone);
+        std::erase_if(faces, [&](const SharedFace& face) { return between.part(face); });
+    }
     return faces;
 }
 

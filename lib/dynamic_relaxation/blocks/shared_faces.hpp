@@ -54,11 +54,11 @@ std::vector<BlockPair> touching_blocks(const Bodies& bodies, double opening = cl
 // joint: the two do not touch there.
 class BlocksBetween {
   public:
-    // `near`: of touching_blocks.
-    BlocksBetween(const Bodies& bodies, const std::vector<BlockPair>& near);
+    // `near`: of touching_blocks. `gone`: of each block, not 0 if it is not there; empty if all are.
+    BlocksBetween(const Bodies& bodies, const std::vector<BlockPair>& near, const std::vector<char>& gone = {});
 
-    // Whether a third block lies between the two along more than a tenth of their face or, if it is as thin as the
-    // joint is open, anywhere along it.
+    // Whether a third block lies between the two along more than a tenth of their face or, if it is no thicker than
+    // twice the joint's opening, along more than half of its own shortest edge.
     bool part(const SharedFace& face) const;
     // Whether a third block lies between a corner of a block and the edge of another that is `gap` below it, m.
     bool part(std::size_t corner, std::size_t other_edge, double gap) const;
@@ -72,8 +72,10 @@ class BlocksBetween {
     std::vector<std::vector<std::uint32_t>> near_;  // of each block, the blocks near it
 };
 
-// The shared faces of these pairs between which no third block lies, in the same order.
-std::vector<SharedFace> find_shared_faces(const Bodies& bodies, double opening = closed_joint);
+// The shared faces of all touching_blocks between which no third block lies, in the order of the pairs. `gone`: of each
+// block, not 0 if it is not there and so lies between none; empty if all are.
+std::vector<SharedFace> find_shared_faces(const Bodies& bodies, double opening = closed_joint,
+                                          const std::vector<char>& gone = {});
 
 // Position of the block's face relative to the other block, whose face carries the axes.
 struct FacePosition {

@@ -25,10 +25,9 @@ using BlockPairs = std::set<std::pair<std::size_t, std::size_t>>;  // the lesser
 
 // What the history has left of the peak strength of a pair's joint.
 struct StrengthLeft {
-    bool torn = false;     // an end has slipped or opened: no tensile strength
-    bool slipped = false;  // an end that bears has its residual friction
-    double whole = 0;      // N/m, of cohesion above the residual one: of the ends that still have it
-    double lost = 0;       // N/m, of the others
+    bool torn = false;  // an end has slipped or opened: residual friction, no tensile strength
+    double whole = 0;   // N/m, of cohesion above the residual one: of the ends that still have it
+    double lost = 0;    // N/m, of the others
 
     double share() const { return whole + lost > 0 ? whole / (whole + lost) : torn ? 0 : 1; }
 };
@@ -46,7 +45,6 @@ StrengthsLeft strengths_left(const BlocksUnderLoad& blocks, const JointHistory& 
         }
         StrengthLeft& of_pair = left[std::minmax<std::size_t>(contact.block, contact.other)];
         of_pair.torn |= memory.broken;
-        of_pair.slipped |= memory.broken && memory.touching;
         (memory.broken ? of_pair.lost : of_pair.whole) +=
             contact_weight(law, contact, at, memory.insists) * (law.cohesion - law.residual_cohesion);
     }
@@ -68,8 +66,8 @@ FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, 
     if (const auto found = left.find(std::minmax<std::size_t>(face.block, face.other)); found != left.end()) {
         const StrengthLeft& of_pair = found->second;
         strength.cohesion = joint.residual_cohesion + of_pair.share() * (joint.cohesion - joint.residual_cohesion);
-        strength.tensile_strength = of_pair.torn ? 0 : joint.tensile_strength;
-        if (of_pair.slipped) {
+        if (of_pair.torn) {
+            strength.tensile_strength = 0;
             strength.friction_angle = joint.residual_friction_angle.value_or(joint.friction_angle);
         }
     }
@@ -239,7 +237,7 @@ void add_tips_on_edges(const BlocksUnderLoad& blocks, const std::vector<SharedFa
     }
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
     const std::vector<BlockPair> touching = touching_blocks(blocks.bodies);
-    const BlocksBetween between(blocks.bodies, touching);
+    const BlocksBetween between(blocks.bodies, touching, blocks.removed);
     for (const auto& [first, second] : touching) {
         if (both_there(blocks, first, second) && !has_moved(blocks, first) && !has_moved(blocks, second) &&
             !facing.contains(std::minmax<std::size_t>(first, second))) {

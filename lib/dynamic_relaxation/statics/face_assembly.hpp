@@ -39,8 +39,8 @@ struct JointHistory {
 // act beside compression, so that tensile strength adds friction, too: right for an upper bound of what can be carried.
 //
 // With a history the strengths are those that are left, without rock bridges that have broken: each end of a pair's
-// joint that has slipped or opened has lost its part of the cohesion and all tensile strength, and friction is the
-// residual one if an end that bears has slipped. Shear is then limited by Coulomb's c + N tan(phi) for every N, with
+// joint that has slipped or opened has lost its part of the cohesion, and the pair its tensile strength and its peak
+// friction. Shear is then limited by Coulomb's c + N tan(phi) for every N, with
 //     t' = min(t, c / tan(phi)),  c' = c - t' tan(phi)
 // in place of tensile strength t and cohesion c: compression N + t' beside a tension t' allows c' + (N + t') tan(phi).
 FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces,

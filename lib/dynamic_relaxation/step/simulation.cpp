@@ -218,8 +218,9 @@ void Simulation::take_away(std::size_t block, char why) {
 
 void Simulation::account_for_springs_of_removed(std::size_t block) {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
-        const auto [contact, law, memory, at] = contact_now(state_.contacts, index, state_.motion);
-        if (contact.block == block || contact.other == block) {
+        const ContactBlocks& blocks = state_.contacts.contact.blocks()[index];
+        if (blocks.block == block || blocks.other == block) {
+            const auto [contact, law, memory, at] = contact_now(state_.contacts, index, state_.motion);
             state_.energy_balance.friction += elastic_energy(law, contact, memory, at);
         }
     }

@@ -148,7 +148,8 @@ bool Simulation::held_by_faces() {
         return true;
     }
     const bool before_onset = state_.onset_time < 0;
-    const std::vector<SharedFace> faces = before_onset ? find_shared_faces(bodies_) : std::vector<SharedFace>();
+    const std::vector<SharedFace> faces =
+        before_onset ? find_shared_faces(bodies_, closed_joint, state_.removed) : std::vector<SharedFace>();
     std::vector<BlockForce> load = load_;
     if (before_onset && !scene_.bolt.empty()) {
         sum_loads(scene_, settings_, bodies_, state_.time, held_, state_.motion, load);

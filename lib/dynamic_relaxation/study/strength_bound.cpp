@@ -99,7 +99,9 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
         return std::nullopt;
     }
     const Bodies bodies = make_bodies(scene);
-    const Assembly assembly = assembly_of(scene, bodies, find_shared_faces(bodies), all_removed(scene), true).assembly;
+    const std::vector<char> removed = all_removed(scene);
+    const std::vector<SharedFace> faces = find_shared_faces(bodies, closed_joint, removed);
+    const Assembly assembly = assembly_of(scene, bodies, faces, removed, true).assembly;
     constexpr double most = 1e6;  // blocks that stand with less strength stand without
     constexpr double accuracy = 1e-6;
     double standing = 0;
@@ -126,8 +128,8 @@ std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene
         return std::nullopt;
     }
     const Bodies bodies = make_bodies(scene);
-    const std::vector<SharedFace> faces = find_shared_faces(bodies);
     const std::vector<char> removed = all_removed(scene);
+    const std::vector<SharedFace> faces = find_shared_faces(bodies, closed_joint, removed);
     const FaceAssembly made = assembly_of(scene, bodies, faces, removed, true);
     const LeastImbalance found = least_imbalance(made.assembly);
     if (found.status != LpStatus::optimal || found.stands()) {
@@ -156,7 +158,7 @@ std::optional<StaticMechanism> mechanism_where_blocks_landed(const Simulation& a
         const MotionExtremes moved{std::abs(now.angle), std::hypot(now.x, now.y) / bodies.radius[block]};
         motion[block] = moved.in_thresholds(at_rest.settings()) > 1 ? now : Motion{};
     }
-    std::vector<SharedFace> faces = find_shared_faces(bodies);
+    std::vector<SharedFace> faces = find_shared_faces(bodies, closed_joint, state.removed);
     std::erase_if(faces, [&](const SharedFace& face) {
         return locate(face, motion[face.block], motion[face.other]).opening >
                opening_of_closed_joint(bodies, face.block, face.other);
