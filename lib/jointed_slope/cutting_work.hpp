@@ -120,8 +120,8 @@ std::vector<UnfinishedPart> unfinished_parts(const CuttingWork& work, const Plac
 
 CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line, std::size_t number, MeshIndex joint,
                   const RocksOfLine& rocks, SlopeCheck& check);
-// Cuts the blocks that a line crosses from side to side.
-CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint);
+// Cuts the blocks that these lines cross from side to side.
+CutCount cut_lines(CuttingWork& work, const std::vector<Polyline>& lines, MeshIndex joint);
 // The line, or both faces of a fault, which run on by its thickness where they end inside a block: where a fault ends
 // on a joint at a sharp angle, one of its faces ends before it.
 std::vector<Polyline> lines_to_finish(const CuttingWork& work, const DrawnLine& line);

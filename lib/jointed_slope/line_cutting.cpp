@@ -125,6 +125,31 @@ bool ends_in(const SectionMesh& mesh, MeshIndex face, const StraightLine& straig
     return other > reach.begin + least_part * snap && one < reach.end - least_part * snap;
 }
 
+CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint) {
+    CutCount count;
+    SectionMesh& mesh = work.mesh;
+    for (std::size_t piece = 1; piece < line.size(); ++piece) {
+        const StraightLine straight = line_through(line[piece - 1], line[piece]);
+        const LinePart reach = reach_of(straight, line[piece - 1], line[piece], work.snap);
+        const auto reaches = [&](double from, double to) { return from >= reach.begin && to <= reach.end; };
+        for (MeshIndex edge = 0; edge < mesh.edge_count(); ++edge) {
+            for (const PlanePoint<>& end : {line[piece - 1], line[piece]}) {
+                if (work.is_stronger_along(edge, straight, joint)) {
+                    put_vertex(mesh, edge, end, work.snap);
+                }
+            }
+            count.along += work.weaken(edge, straight, joint, reaches) ? 1 : 0;
+        }
+        const std::size_t before = mesh.face_count();
+        for (MeshIndex face = 0; face < before; ++face) {
+            const FaceCutResult result = cut_face(mesh, face, straight, work.snap, joint, reaches);
+            count.made += result.cut == FaceCut::made ? 1 : 0;
+            count.dropped += result.cut == FaceCut::dropped && ends_in(mesh, face, straight, reach, work.snap) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
 }  // namespace
 
 MeshIndex face_around(const SectionMesh& mesh, std::span<const MeshIndex> faces, const PlanePoint<>& point,
@@ -198,29 +223,13 @@ void give_rocks(CuttingWork& work, const DrawnLine& line) {
     }
 }
 
-CutCount cut_pieces(CuttingWork& work, const Polyline& line, MeshIndex joint) {
-    CutCount count;
-    SectionMesh& mesh = work.mesh;
-    for (std::size_t piece = 1; piece < line.size(); ++piece) {
-        const StraightLine straight = line_through(line[piece - 1], line[piece]);
-        const LinePart reach = reach_of(straight, line[piece - 1], line[piece], work.snap);
-        const auto reaches = [&](double from, double to) { return from >= reach.begin && to <= reach.end; };
-        for (MeshIndex edge = 0; edge < mesh.edge_count(); ++edge) {
-            for (const PlanePoint<>& end : {line[piece - 1], line[piece]}) {
-                if (work.is_stronger_along(edge, straight, joint)) {
-                    put_vertex(mesh, edge, end, work.snap);
-                }
-            }
-            count.along += work.weaken(edge, straight, joint, reaches) ? 1 : 0;
-        }
-        const std::size_t before = mesh.face_count();
-        for (MeshIndex face = 0; face < before; ++face) {
-            const FaceCutResult result = cut_face(mesh, face, straight, work.snap, joint, reaches);
-            count.made += result.cut == FaceCut::made ? 1 : 0;
-            count.dropped += result.cut == FaceCut::dropped && ends_in(mesh, face, straight, reach, work.snap) ? 1 : 0;
-        }
+CutCount cut_lines(CuttingWork& work, const std::vector<Polyline>& lines, MeshIndex joint) {
+    CutCount sum;
+    for (const Polyline& line : lines) {
+        const CutCount one = cut_pieces(work, line, joint);
+        sum = {sum.made + one.made, sum.dropped + one.dropped, sum.along + one.along};
     }
-    return count;
+    return sum;
 }
 
 CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line, std::size_t number, MeshIndex joint,
@@ -255,12 +264,7 @@ CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line,
             divide_at_bend(mesh, face_line[bend], faces.halving[bend], work.snap);
         }
     }
-    for (const Polyline& face_line : faces.line) {
-        const CutCount of_face = cut_pieces(work, face_line, joint);
-        count.made += of_face.made;
-        count.along += of_face.along;
-        count.dropped += of_face.dropped;
-    }
+    count = cut_lines(work, faces.line, joint);
     if (half_thickness > 0) {
         work.gouge.push_back(rocks.gouge);
     }
@@ -270,6 +274,9 @@ CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line,
 }
 
 std::vector<Polyline> lines_to_finish(const CuttingWork& work, const DrawnLine& line) {
+    if (line.half_thickness == 0) {
+        return line.face;
+    }
     std::vector<MeshIndex> all(work.mesh.face_count());
     std::iota(all.begin(), all.end(), MeshIndex{0});
     std::vector<Polyline> lines = line.face;

@@ -110,14 +110,6 @@ std::optional<std::size_t> cut_as_far_as_others(CuttingWork& work, std::vector<C
         count[cut] = {count[cut].made + again.made, again.dropped, count[cut].along + again.along};
         cut_any = cut_any || again.made > 0;
     };
-    const auto cut_all = [&](const std::vector<Polyline>& lines, MeshIndex joint) {
-        CutCount sum;
-        for (const Polyline& points : lines) {
-            const CutCount one = cut_pieces(work, points, joint);
-            sum = {sum.made + one.made, sum.dropped + one.dropped, sum.along + one.along};
-        }
-        return sum;
-    };
     const auto cut_sets_again = [&] {
         for (const PlacedSet& set : work.bounded) {
             SlopeCheck check = SlopeCheck::valid;
@@ -152,7 +144,7 @@ std::optional<std::size_t> cut_as_far_as_others(CuttingWork& work, std::vector<C
         cut_any = false;
         for (const DrawnLine& line : work.drawn) {
             if (ends_in_a_block(line)) {
-                cut_again(line.cut, cut_all(lines_to_finish(work, line), line.joint));
+                cut_again(line.cut, cut_lines(work, lines_to_finish(work, line), line.joint));
             }
         }
         cut_sets_again();
@@ -161,10 +153,10 @@ std::optional<std::size_t> cut_as_far_as_others(CuttingWork& work, std::vector<C
             break;
         }
     }
-    // What runs on beyond the end of a fault is not missed.
+    // Only the fault as drawn counts as ending inside a block, not what ran on beyond its ends.
     for (const DrawnLine& line : work.drawn) {
         if (line.half_thickness > 0 && ends_in_a_block(line)) {
-            cut_again(line.cut, cut_all(line.face, line.joint));
+            cut_again(line.cut, cut_lines(work, line.face, line.joint));
         }
     }
     // A boundary that ends inside a block parts rocks as far as later cuts part the block.
