@@ -82,7 +82,8 @@ class Corners {
 
     // Whether a contact is one of these two corners alone.
     bool is_at(std::size_t index, const CornerPair& corners) const {
-        return now(index).law.alone != 0 && corners_of(blocks_.bodies, now(index)) == corners;
+        const ContactNow here = now(index);
+        return here.law.alone != 0 && corners_of(blocks_.bodies, here) == corners;
     }
 
     void set_trial(std::size_t index, InTrial in_trial) {
@@ -165,8 +166,8 @@ std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std
                                            ContactList& list) {
     Corners corners(blocks, list);
     for_each_pair(list, weight, [&](const ContactRange& of_pair, double least) {
-        // Of three edges in a corner two may bear and squeeze a tip. The one with the larger force gives way, whatever
-        // the order of blocks and corners.
+        // Two of the three edges in a corner may bear and squeeze a tip. The one with the larger force gives way,
+        // whatever the order of blocks and corners.
         std::vector<std::pair<double, std::size_t>> relied;
         for (std::size_t index = of_pair.begin; index < of_pair.end; ++index) {
             relied.emplace_back(-corners.relied_on(index), index);

@@ -23,7 +23,7 @@ struct FaceStrength {
 
 using BlockPairs = std::set<std::pair<std::size_t, std::size_t>>;  // the lesser number first
 
-// What the history has left of the peak strength of a pair's joint.
+// This is how much of its peak strength the joint of a pair still has.
 struct StrengthLeft {
     bool torn = false;  // an end has slipped or opened: residual friction, no tensile strength
     double whole = 0;   // N/m, of cohesion above the residual one: of the ends that still have it
