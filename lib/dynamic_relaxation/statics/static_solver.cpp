@@ -169,7 +169,7 @@ class StaticSolver {
         double ratio = evaluate(motion, list);
         StaticSolution best{ratio, false, false, motion, list.memory, 0};
         bool improves = true;
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < most_rounds && !stopped(); ++round) {
             if (best.ratio <= settings_.finest || (best.ratio <= settings_.tolerance && !improves)) {
                 break;
             }
@@ -331,7 +331,7 @@ class StaticSolver {
         bool improves = true;
         int solutions = 0;
         while (best.ratio > settings_.finest && (best.ratio > settings_.tolerance || improves) &&
-               pseudo_viscosity <= greatest_viscosity) {
+               pseudo_viscosity <= greatest_viscosity && !stopped()) {
             if (solutions >= most_solutions) {
                 best.cut_short = best.ratio > settings_.tolerance;
                 break;
@@ -426,6 +426,7 @@ class StaticSolver {
         return goes_on;
     }
 
+    bool stopped() const { return settings_.stop != nullptr && *settings_.stop; }
     bool may_leave_crept() const { return settings_.creep == Creep::left; }
 
     // Creep of few blocks is not worth its cost unless they are left where they crept to: they jam sooner in the run.

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,6 +31,7 @@ struct StaticSolveSettings {
     // Whether blocks may stand on corners on corners, which have to hold them with either edge then
     // (corner_choice.hpp).
     bool corners_bear;
+    const std::atomic<bool>* stop;  // set by another thread: no more solutions are made; may be null
 };
 
 struct StaticSolution {

@@ -58,9 +58,11 @@ double shortest_edge(const Bodies& bodies) {
 
 }  // namespace
 
-Simulation::Simulation(RelaxationState state, RelaxationScene scene, RelaxationSettings settings)
+Simulation::Simulation(RelaxationState state, RelaxationScene scene, RelaxationSettings settings,
+                       const std::atomic<bool>* stop)
     : scene_(std::move(scene)),
       settings_(settings),
+      stop_(stop),
       bodies_(bodies_of(scene_, settings_)),
       state_(std::move(state)),
       team_(std::max<std::size_t>(settings_.threads, 1)),
@@ -68,8 +70,8 @@ Simulation::Simulation(RelaxationState state, RelaxationScene scene, RelaxationS
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
       contact_watch_(scene_, bodies_, settings_) {}
 
-Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
-    : Simulation(RelaxationState{}, std::move(scene), settings) {
+Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, const std::atomic<bool>* stop)
+    : Simulation(RelaxationState{}, std::move(scene), settings, stop) {
     state_.motion.resize(bodies_.size());
     state_.removed.resize(bodies_.size(), 0);
     state_.base_slip.resize(bodies_.size(), 0);
@@ -85,14 +87,15 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
 }
 
 Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state)
-    : Simulation(std::move(state), std::move(scene), settings) {
+    : Simulation(std::move(state), std::move(scene), settings, nullptr) {
     prepare();
     contact_forces_.renew();
     contact_watch_.resume(state_.watch, state_.contacts);
 }
 
-Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from)
-    : Simulation(begun_at(from.at_rest), std::move(scene), settings) {
+Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from,
+                       const std::atomic<bool>* stop)
+    : Simulation(begun_at(from.at_rest), std::move(scene), settings, stop) {
     settings_.start = RelaxationStart::preloaded;
     prepare();
     begin(JointsAtStart::as_left);

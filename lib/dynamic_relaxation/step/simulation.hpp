@@ -16,6 +16,7 @@
 #include "dynamic_relaxation/step/state.hpp"
 #include "dynamic_relaxation/wide/team.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -28,13 +29,15 @@ struct StaticSolveSettings;
 
 class Simulation {
   public:
-    // The scene must be valid.
-    Simulation(RelaxationScene scene, RelaxationSettings settings);
+    // The scene must be valid. A static start or a trial without corners ends before it has an answer if another
+    // thread sets `stop`, which may be null: such a run is not worth continuing.
+    Simulation(RelaxationScene scene, RelaxationSettings settings, const std::atomic<bool>* stop = nullptr);
     // Continues from a state of the same scene and settings, exact to the last bit.
     Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state);
     // Begins preloaded from the state in which a run of the same blocks, with other strengths or other gravity, came to
     // rest.
-    Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from);
+    Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from,
+               const std::atomic<bool>* stop = nullptr);
 
     void step();
     bool running() const { return outcome() == RelaxationOutcome::undecided && !out_of_time(); }
@@ -61,8 +64,10 @@ class Simulation {
     enum class BoltsAtStart { pulling, stretching };
 
     // Holds what the public constructors have in common; each prepares the rest.
-    Simulation(RelaxationState state, RelaxationScene scene, RelaxationSettings settings);
+    Simulation(RelaxationState state, RelaxationScene scene, RelaxationSettings settings,
+               const std::atomic<bool>* stop);
 
+    bool stopped() const { return stop_ != nullptr && *stop_; }
     // A block that nothing has moved for some checks is at rest until the unbalanced force on it exceeds this share of
     // its weight, far below the ratio that counts as equilibrium: it is not moved, and costs almost no time.
     double rest_ratio() const { return 1e-3 * settings_.equilibrium_ratio; }
@@ -115,6 +120,7 @@ class Simulation {
 
     RelaxationScene scene_;
     RelaxationSettings settings_;
+    const std::atomic<bool>* stop_;
     Bodies bodies_;
     RelaxationState state_ = {};
     double margin_ = 0;        // m, of the smallest blocks

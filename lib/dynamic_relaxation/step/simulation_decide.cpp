@@ -194,13 +194,13 @@ bool Simulation::moves_without_corners(bool forces_exist) {
         if (!give_way_at_corners({bodies_, from.at_rest.motion}, weights(), from.at_rest.contacts, given_way)) {
             return round == 0 && !forces_exist;
         }
-        Simulation trial(scene_, settings, from);
+        Simulation trial(scene_, settings, from, stop_);
         trial.without_corners_ = true;
-        while (trial.running() && trial.state_.contacts_evaluated < most_contacts) {
+        while (trial.running() && trial.state_.contacts_evaluated < most_contacts && !stopped()) {
             trial.step();
         }
         from.at_rest = std::move(trial.state_);
-        if (trial.outcome() != RelaxationOutcome::equilibrium) {
+        if (trial.outcome() != RelaxationOutcome::equilibrium || stopped()) {
             from.at_rest.origin = state_.motion;
             break;
         }

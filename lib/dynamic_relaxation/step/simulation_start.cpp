@@ -94,6 +94,7 @@ StaticSolveSettings Simulation::static_solve_settings() const {
     // Blocks that jam only after they have leaned a little move farther here than between two searches of the run.
     limits.farthest = 5 * margin_;
     limits.corners_bear = corners_may_bear();
+    limits.stop = stop_;
     if (last_scheduled_time(scene_, settings_) <= state_.time) {
         // Creep without a balance shows nothing but onset: it may stop earlier if the blocks are put back after it.
         constexpr double jammed_by_then = 0.01;

@@ -2,12 +2,14 @@
 #include "dynamic_relaxation/step/loads.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
 #include "dynamic_relaxation/study/failed_at_rest.hpp"
+#include "dynamic_relaxation/study/runs_ahead.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -21,35 +23,16 @@ namespace {
 
 constexpr double own_ratio = 1;  // of strength or weight, as given in the case
 
-// The path of a search for which the case names none.
-LoadingPath usual_path(const RelaxationStudy& study, CriticalParameter parameter) {
-    if (dimension_of(parameter) == Dimension::ratio && !has_record_of_shaking(study)) {
-        return LoadingPath::consolidated;
-    }
-    const RelaxationStart start = relaxation_settings(study).start;
-    return has_stages(study)                     ? LoadingPath::stages
-           : start == RelaxationStart::preloaded ? LoadingPath::preloaded
-           : start == RelaxationStart::dropped   ? LoadingPath::sudden
-                                                 : LoadingPath::gravity;
-}
-
-std::vector<LoadingPath> paths_of(const RelaxationStudy& study, LoadingPath first, PathChoice choice) {
-    std::vector<LoadingPath> paths{first};
-    if (choice == PathChoice::all) {
-        for (std::size_t index = 0; index < enum_names(LoadingPath{}).size(); ++index) {
-            const auto path = static_cast<LoadingPath>(index);
-            if (path != first && (path != LoadingPath::stages || has_stages(study)) &&
-                (path != LoadingPath::consolidated || !has_record_of_shaking(study))) {
-                paths.push_back(path);
-            }
-        }
-    }
-    return paths;
-}
-
 // Whether a run that ended shows that the blocks do not stand.
 bool shows_failure(RelaxationOutcome outcome) {
     return is_failure(outcome) || outcome == RelaxationOutcome::held_by_corners;
+}
+
+// How many runs a search makes ahead. Threads save more time so than within a run, of which statics uses one only,
+// unless there are very many blocks.
+std::size_t runs_ahead(const StudyWork& work, const RelaxationScene& scene) {
+    constexpr std::size_t very_many = 5000;
+    return scene.block.size() < very_many ? std::max(work.threads, 1U) - 1 : 0;
 }
 
 class PathSearch {
@@ -64,7 +47,16 @@ class PathSearch {
           progress_(progress),
           scene_(relaxation_scene(study)),
           reduced_(materials_of_joints(study.model.scene, scene_, plan.joint)),
-          settings_(settings_for(study, work, scene_)) {
+          settings_(settings_for(study, work, scene_)),
+          ahead_(runs_ahead(work, scene_), [this](double value, const std::atomic<bool>& stop) {
+              return run_at(value, Needed::verdict, {}, &stop, [&](Simulation& simulation) {
+                  return go_on(
+                      simulation, {}, [&](double) { return !stop; }, [] {}, [] {});
+              });
+          }) {
+        if (ahead_.most() > 0) {
+            settings_.threads = 1;
+        }
         // A search needs neither the motion after onset nor the time until then.
         settings_.stop_at_onset = true;
         settings_.creep = initial_contact(study) == InitialContact::drawn || !any_is_drawn_apart(scene_);
@@ -88,7 +80,7 @@ class PathSearch {
     }
 
     // A single run from the initial geometry, of so many steps at most.
-    CriticalProbe run_at(double value, std::uint64_t most_steps) {
+    CriticalProbe run_once(double value, std::uint64_t most_steps) {
         settings_.most_steps = std::min(settings_.most_steps, static_cast<std::size_t>(most_steps));
         return probe_at(value, Needed::run);
     }
@@ -117,37 +109,48 @@ class PathSearch {
             const double at = *value.consolidated_at;
             should_stand = at >= plan_.lower && at <= plan_.upper ? at : should_stand;
         }
-        const auto probe = [&](double at) {
+        CriticalValue& found = value;
+        const double should_fail = should_stand == plan_.should_fail() ? plan_.should_stand() : plan_.should_fail();
+        found = bisect(should_stand, should_fail);
+        if (plan_.has_two_limits() && found.status == CriticalStatus::fails_everywhere) {
+            found = bisect(should_fail, should_stand);
+            const std::vector<double> between = values_between();
+            for (auto at = between.begin(); at != between.end() && found.status == CriticalStatus::fails_everywhere;
+                 ++at) {
+                found = bisect(*at, should_fail);
+            }
+        } else if (plan_.has_two_limits() && found.status == CriticalStatus::stands_everywhere &&
+                   should_stand != plan_.should_stand()) {
+            const CriticalValue other = bisect(should_stand, plan_.should_stand());
+            const bool tells = other.status == CriticalStatus::found || other.status == CriticalStatus::interrupted;
+            found = tells ? other : found;
+        }
+        return value;
+    }
+
+    CriticalValue bisect(double from, double to) {
+        const auto search = [&](const CriticalSearchProbe& probe) {
+            return find_critical(probe, from, to, plan_.tolerance,
+                                 plan_.is_ratio() ? BracketMean::geometric : BracketMean::arithmetic);
+        };
+        std::vector<CriticalProbe> verdicts;
+        const CriticalValue found = search([&](double at) {
             if (const auto known = standing_.find(at); known != standing_.end()) {
-                return known->second;
+                return verdicts.emplace_back(known->second);
+            }
+            if (ahead_.most() > 0 && runs_ == progress_.probe.size()) {
+                std::vector<double> next = asked_next(search, verdicts, ahead_.most());
+                std::erase_if(next, [&](double value) { return standing_.contains(value); });
+                ahead_.make(at, next);
             }
             const CriticalProbe made = probe_at(at, Needed::verdict);
             if (made.outcome == RelaxationOutcome::equilibrium) {
                 standing_.emplace(at, made);
             }
-            return made;
-        };
-        const auto search = [&](double from, double to) {
-            return find_critical(probe, from, to, plan_.tolerance,
-                                 plan_.is_ratio() ? BracketMean::geometric : BracketMean::arithmetic);
-        };
-        CriticalValue& found = value;
-        const double should_fail = should_stand == plan_.should_fail() ? plan_.should_stand() : plan_.should_fail();
-        found = search(should_stand, should_fail);
-        if (plan_.has_two_limits() && found.status == CriticalStatus::fails_everywhere) {
-            found = search(should_fail, should_stand);
-            const std::vector<double> between = values_between();
-            for (auto at = between.begin(); at != between.end() && found.status == CriticalStatus::fails_everywhere;
-                 ++at) {
-                found = search(*at, should_fail);
-            }
-        } else if (plan_.has_two_limits() && found.status == CriticalStatus::stands_everywhere &&
-                   should_stand != plan_.should_stand()) {
-            const CriticalValue other = search(should_stand, plan_.should_stand());
-            const bool tells = other.status == CriticalStatus::found || other.status == CriticalStatus::interrupted;
-            found = tells ? other : found;
-        }
-        return value;
+            return verdicts.emplace_back(made);
+        });
+        ahead_.stop();
+        return found;
     }
 
     RelaxationStart start_of_path() const {
@@ -248,38 +251,64 @@ class PathSearch {
         return false;
     }
 
-    // The run begins from the consolidated state, if there is one.
     CriticalProbe probe_at(double value, Needed needed) {
         const std::size_t number = runs_++;
         if (number < progress_.probe.size()) {
             return progress_.probe[number];
         }
+        const double expected = 5 + std::ceil(std::log2(std::max(2.0, (plan_.upper - plan_.lower) / plan_.tolerance)));
+        const auto goes_on = [&](double share) {
+            return !watch_ || watch_(std::min(1.0, (static_cast<double>(number) + share) / expected));
+        };
+        const auto waits = [&] {
+            const bool on = goes_on(0);
+            if (work_.keep_due && work_.keep_due()) {
+                work_.keep(whole_);
+            }
+            return on;
+        };
+        std::optional<SearchRun> made = needed == Needed::verdict ? ahead_.take(value, waits) : std::nullopt;
+        if (!made) {
+            made =
+                run_at(value, needed, std::exchange(progress_.probe_state, {}), nullptr, [&](Simulation& simulation) {
+                    const auto keep = [&] {
+                        progress_.probe_state = simulation.state();
+                        work_.keep(whole_);
+                        progress_.probe_state.reset();
+                    };
+                    return go_on(simulation, work_, goes_on, keep, [] {});
+                });
+        }
+        const CriticalProbe& probe = made->probe;
+        if (probe.outcome == RelaxationOutcome::interrupted) {
+            return probe;
+        }
+        if (probe.without_run || shows_failure(probe.outcome)) {
+            progress_.failed = std::move(made->end);
+        } else if (probe.outcome == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
+                   !progress_.consolidated) {
+            progress_.consolidated = std::move(made->end);
+        }
+        return progress_.probe.emplace_back(probe);
+    }
+
+    // The run begins from the consolidated state, if there is one, or goes on from `state`. `advance` takes it to its
+    // end, or returns false.
+    SearchRun run_at(double value, Needed needed, std::optional<RelaxationState> state, const std::atomic<bool>* stop,
+                     const std::function<bool(Simulation&)>& advance) const {
         const RelaxationScene scene = scene_at(value);
         if (check(scene, settings_).check != SceneCheck::valid) {
-            return progress_.probe.emplace_back(CriticalProbe{RelaxationOutcome::scene_not_valid, 0});
+            return {{RelaxationOutcome::scene_not_valid, 0}};
         }
-        if (needed == Needed::verdict && !progress_.probe_state &&
-            fails_by_statics(scene, settings_, initial_contact(study_))) {
-            progress_.failed.reset();
-            return progress_.probe.emplace_back(CriticalProbe{RelaxationOutcome::onset, 0, 0, false, false, true});
+        if (needed == Needed::verdict && !state && fails_by_statics(scene, settings_, initial_contact(study_))) {
+            return {{RelaxationOutcome::onset, 0, 0, false, false, true}};
         }
-        Simulation simulation = begun(scene);
-        const double expected = 5 + std::ceil(std::log2(std::max(2.0, (plan_.upper - plan_.lower) / plan_.tolerance)));
-        const bool ended = go_on(
-            simulation, work_,
-            [&](double share) {
-                return !watch_ || watch_(std::min(1.0, (static_cast<double>(number) + share) / expected));
-            },
-            [&] {
-                progress_.probe_state = simulation.state();
-                work_.keep(whole_);
-                progress_.probe_state.reset();
-            },
-            [] {});
+        Simulation simulation = begun(scene, std::move(state), stop);
+        const bool ended = advance(simulation);
         const RelaxationResult result = simulation.result();
         const RelaxationCost& cost = result.cost;
         if (!ended) {
-            return {RelaxationOutcome::interrupted, cost.steps, cost.contacts_evaluated};
+            return {{RelaxationOutcome::interrupted, cost.steps, cost.contacts_evaluated}};
         }
         const bool balanced =
             result.start_balance && result.start_balance->unbalanced_ratio <= settings_.equilibrium_ratio;
@@ -291,14 +320,8 @@ class PathSearch {
         const MotionExtremes moved =
             farthest_motion(simulation.bodies(), simulation.state(), begun_at ? begun_at->motion : unmoved);
         const bool crept = balanced && moved.in_thresholds(settings_) > near_onset;
-        progress_.probe.push_back({outcome, cost.steps, cost.contacts_evaluated, !balanced, crept});
-        if (shows_failure(outcome)) {
-            progress_.failed = failed ? std::move(failed) : simulation.state();
-        } else if (outcome == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
-                   !progress_.consolidated) {
-            progress_.consolidated = simulation.state();
-        }
-        return progress_.probe.back();
+        return {{outcome, cost.steps, cost.contacts_evaluated, !balanced, crept},
+                failed ? std::move(failed) : simulation.state()};
     }
 
     // A run that continues from a state may take as long as one from the start.
@@ -310,14 +333,12 @@ class PathSearch {
         return settings;
     }
 
-    Simulation begun(const RelaxationScene& scene) {
-        if (std::optional<RelaxationState> state = std::exchange(progress_.probe_state, {})) {
-            return Simulation(scene, settings_of_run(), std::move(*state));
-        }
-        if (progress_.consolidated) {
-            return Simulation(scene, settings_of_run(), ConsolidatedState{*progress_.consolidated});
-        }
-        return Simulation(scene, settings_);
+    Simulation begun(const RelaxationScene& scene, std::optional<RelaxationState> state,
+                     const std::atomic<bool>* stop) const {
+        const RelaxationSettings settings = settings_of_run();
+        return state                    ? Simulation(scene, settings, std::move(*state))
+               : progress_.consolidated ? Simulation(scene, settings, ConsolidatedState{*progress_.consolidated}, stop)
+                                        : Simulation(scene, settings, stop);
     }
 
     void count_costs(CriticalValue& value) const {
@@ -364,6 +385,7 @@ class PathSearch {
     // The probes of this search that stood. Those that failed are made again where they are asked for again: the last
     // one that failed is the one at the value reported.
     std::map<double, CriticalProbe> standing_ = {};
+    RunsAhead ahead_;  // destroyed first: its runs read the other members
 };
 
 // A run from the initial geometry at a share of the ratio found to stand, with joints of a share of their stiffness, in
@@ -383,53 +405,10 @@ std::pair<double, RelaxationOutcome> tried_below(const RelaxationStudy& study, c
     SearchProgress progress;
     PathSearch search(study, plan, path, work, whole, progress);
     search.multiply_stiffness(stiffness);
-    return {value, search.run_at(value, std::max(without_runs * found.steps, fewest_steps)).outcome};
+    return {value, search.run_once(value, std::max(without_runs * found.steps, fewest_steps)).outcome};
 }
 
 }  // namespace
-
-CriticalPlan critical_plan(const RelaxationStudy& study) {
-    const CriticalRequest& request = *study.critical;
-    CriticalPlan plan{};
-    plan.parameter = parameter_of(request);
-    plan.tolerance = plan.is_ratio() ? standard_ratio_tolerance : standard_angle_tolerance;
-    std::visit(
-        [&](const auto& asked) {
-            using Asked = std::remove_cvref_t<decltype(asked)>;
-            if constexpr (is_optional<decltype(asked.lower)>) {
-                plan.lower = asked.lower.value_or(least_ratio);
-                plan.upper =
-                    asked.upper.value_or(std::is_same_v<Asked, WeightSearch> ? greatest_weight : greatest_reduction);
-            } else {
-                plan.lower = asked.lower;
-                plan.upper = asked.upper;
-            }
-            if constexpr (std::is_same_v<Asked, ReductionSearch>) {
-                plan.joint = asked.joints;
-            }
-            plan.tolerance = asked.tolerance.value_or(plan.tolerance);
-            plan.path = paths_of(study, asked.path.value_or(usual_path(study, plan.parameter)),
-                                 asked.paths.value_or(PathChoice::one));
-        },
-        request);
-    return plan;
-}
-
-std::vector<Quantity> outputs_of_search(const CriticalPlan& plan) {
-    const std::string name(name_of_critical(plan.parameter));
-    const Dimension dimension = dimension_of(plan.parameter);
-    std::vector<Quantity> outputs{{name, dimension, "between standing and failing"}};
-    for (std::size_t index = 1; index < plan.path.size(); ++index) {
-        const std::string path(word_of(plan.path[index]));
-        outputs.push_back({std::string(name + '_').append(path), dimension, "likewise, on the path " + path});
-    }
-    if (plan.path.size() > 1) {
-        outputs.push_back({name + "_spread", dimension, "greatest less least value over paths: error of the model"});
-        outputs.push_back({std::string(path_deviation_prefix) + name, dimension,
-                           "root mean square difference of the other paths from the first, which fits count"});
-    }
-    return outputs;
-}
 
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
     const CriticalPlan plan = critical_plan(study);
