@@ -49,6 +49,12 @@ Answers answers_from(const RelaxationStudy& study, StudyProgress progress, Study
             critical.values().back()};
 }
 
+StudyWork work_on(unsigned threads) {
+    StudyWork work;
+    work.threads = threads;
+    return work;
+}
+
 TEST(StudyCheckpoint, GoesOnFromAnyLookToTheLastBit) {
     const RelaxationStudy study = study_of_everything();
     std::vector<std::string> kept;
@@ -71,9 +77,7 @@ TEST(StudyCheckpoint, GoesOnFromAnyLookToTheLastBit) {
     for (std::size_t index = 0; index < kept.size(); index += 1 + kept.size() / 20) {
         RestoredProgress restored = restore_checkpoint(kept[index], study, KeepFrames::yes);
         ASSERT_EQ(restored.check, CheckpointCheck::ok);
-        StudyWork two_threads;
-        two_threads.threads = 2;
-        EXPECT_TRUE(answers_from(study, restored.progress, two_threads) == whole) << index;
+        EXPECT_TRUE(answers_from(study, restored.progress, work_on(2)) == whole) << index;
     }
     // A finished study has nothing left to do.
     StudyWork idle;
@@ -83,6 +87,29 @@ TEST(StudyCheckpoint, GoesOnFromAnyLookToTheLastBit) {
     };
     EXPECT_TRUE(answers_from(study, restore_checkpoint(whole.progress, study, KeepFrames::yes).progress, idle) ==
                 whole);
+}
+
+// Runs made ahead are not kept: they are made again.
+TEST(StudyCheckpoint, GoesOnWhereItWasInterruptedWithRunsAhead) {
+    const RelaxationStudy study = study_of_everything();
+    const Answers whole = answers_from(study, {}, {});
+    for (const int looks : {1, 2, 5, 10, 20, 40, 80}) {
+        std::string kept = checkpoint_of(study, KeepFrames::yes, {});
+        int looked = 0;
+        StudyWork work;
+        work.threads = 4;
+        work.frames = KeepFrames::yes;
+        work.watch = [&](double) { return ++looked < looks; };
+        work.keep_due = [&] { return looked >= looks; };
+        work.keep = [&](const StudyProgress& progress) { kept = checkpoint_of(study, KeepFrames::yes, progress); };
+        StudyProgress progress;
+        if (run(study, work, progress).result.outcome != RelaxationOutcome::interrupted) {
+            find_critical(study, work, progress);
+        }
+        const RestoredProgress restored = restore_checkpoint(kept, study, KeepFrames::yes);
+        ASSERT_EQ(restored.check, CheckpointCheck::ok);
+        EXPECT_TRUE(answers_from(study, restored.progress, work_on(4)) == whole) << looks;
+    }
 }
 
 TEST(StudyCheckpoint, RefusesWhatAsksForSomethingElse) {
