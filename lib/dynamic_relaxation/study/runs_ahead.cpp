@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <utility>
 #include <vector>
 
 namespace delabole {
@@ -82,9 +83,9 @@ std::optional<SearchRun> RunsAhead::take(double value, const std::function<bool(
             return SearchRun{{RelaxationOutcome::interrupted, 0}};
         }
     }
-    SearchRun made = run->made.get();
+    std::future<SearchRun> made = std::move(run->made);
     runs_.erase(run);
-    return made;
+    return made.get();
 }
 
 }  // namespace delabole
