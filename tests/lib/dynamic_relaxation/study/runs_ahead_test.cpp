@@ -24,9 +24,9 @@ TEST(RunsAhead, AreAtTheValuesThatABisectionAsksForNext) {
     EXPECT_EQ(asked_next(search, {}, 4), (std::vector<double>{3, 2, 2.5, 1.5}));
     const std::vector<CriticalProbe> bounds{verdict(true), verdict(false)};
     EXPECT_EQ(asked_next(search, bounds, 2), (std::vector<double>{2.5, 1.5}));
-    // Whatever the last verdict is, nothing is asked for after it.
-    const auto wide = [](const CriticalSearchProbe& probe) { return find_critical(probe, 1, 3, 1.5); };
-    EXPECT_TRUE(asked_next(wide, bounds, 8).empty());
+    // Bounds nearer than the tolerance are the answer, whatever the verdict at the second one is.
+    const auto wide = [](const CriticalSearchProbe& probe) { return find_critical(probe, 1, 3, 2.5); };
+    EXPECT_TRUE(asked_next(wide, {verdict(true)}, 8).empty());
 }
 
 // Runs at negative values end only when they are stopped.
