@@ -61,12 +61,17 @@ Bond make_bond(const SharedFace& face, const BondMaterial& material, const Joint
 }
 
 // Convex blocks touch along one line. The face is the whole part of it that the same joint as that of `part` follows,
-// however corners divide it; lengths in between that another joint follows do not count.
-SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& part) {
+// however corners divide it; lengths in between that another joint follows, or that a third block parts, do not count.
+// `faces`: of find_shared_faces.
+SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
+                      const SharedFace& part) {
     double begin = -part.length / 2;
     double end = part.length / 2;
     double length = part.length;
-    for (const SharedFace& face : faces_between(bodies, part.block, part.other)) {
+    const auto blocks = [](const SharedFace& face) { return BlockPair(face.block, face.other); };
+    for (auto at = std::ranges::lower_bound(faces, blocks(part), {}, blocks);
+         at != faces.end() && blocks(*at) == blocks(part); ++at) {
+        const SharedFace& face = *at;
         if ((face.edge != part.edge || face.other_edge != part.other_edge) &&
             &joint_of(scene, bodies, face) == &joint_of(scene, bodies, part)) {
             const double middle = part.along.dot(face.other_arm - part.other_arm);
@@ -174,13 +179,15 @@ ForceOnCorner advance_bond(const Bond& bond, BondMemory& memory, const Motion& b
 std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping) {
     std::vector<Bond> bonds;
     bonds.reserve(scene.bond.size());
+    const bool any_of_joint = std::ranges::any_of(scene.bond, [](const FaceBond& bond) { return !bond.material; });
+    const std::vector<SharedFace> faces = any_of_joint ? find_shared_faces(bodies) : std::vector<SharedFace>();
     for (const FaceBond& bond : scene.bond) {
         const std::optional<SharedFace> face = shared_face(bodies, bodies.range[bond.block].begin + bond.edge,
                                                            bodies.range[bond.other].begin + bond.other_edge);
         const JointMaterial& joint = joint_of(scene, bodies, *face);
         bonds.push_back(bond.material
                             ? make_bond(*face, scene.bond_material[*bond.material], joint, bodies, viscous_damping)
-                            : make_joint_bond(whole_face(scene, bodies, *face), joint, bodies, viscous_damping));
+                            : make_joint_bond(whole_face(scene, bodies, faces, *face), joint, bodies, viscous_damping));
     }
     return bonds;
 }
