@@ -174,7 +174,7 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
         const Mechanism cheaper = coarse_of(mechanism);
         const auto coarse = mechanism.coarse ? std::make_unique<Misfit>(cheaper, problem) : nullptr;
         costly = make_costly_runs(misfit, coarse.get(), problem.settings.surrogate, problem.settings.seed,
-                                  log_evidence_to_beat + 2 * misfit.missing_count(),
+                                  log_evidence_to_beat + 2 * misfit.missing_count() - misfit.log_own_precision(),
                                   {problem.settings.threads, problem.settings.ranks}, progress, stop);
         if (!costly.surrogate) {
             fit.evaluations = costly.evaluations;
@@ -214,7 +214,7 @@ void add_posterior(const FitProblem& problem, std::size_t mechanism, const Costl
     fit.posterior = study_posterior(problem, mechanism, by_surrogate ? &costly : nullptr, progress, stop);
     fit.posterior->missing_field_evidence = static_cast<int>(problem.evidence.size() - fit.explained.size());
     fit.posterior->least_misfit = std::min(fit.posterior->least_misfit, fit.data_misfit);
-    if (!by_surrogate) {
+    if (costly.runs.empty()) {
         fit.evaluations.add(fit.posterior->posterior.evaluations);
         for (const VariantEvidence& variant : fit.posterior->evidences) {
             fit.evaluations.add(variant.evidence.evaluations);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace delabole {
@@ -57,6 +58,24 @@ void check_observation(const QuantityObservation& observation, Faults& faults) {
         check_finite(where + ", condition " + condition.input, "value", condition.value, faults);
         if (!seen.insert(condition.input).second) {
             faults.push_back(where + ", condition " + condition.input + ": given twice");
+        }
+    }
+}
+
+// A datum given twice would count twice.
+void check_observations(const std::vector<QuantityObservation>& observations, Faults& faults) {
+    const auto what = [](const QuantityObservation& one) {
+        std::set<std::pair<std::string, double>> conditions;
+        for (const Condition& condition : one.conditions) {
+            conditions.emplace(condition.input, condition.value);
+        }
+        return std::tuple(one.label, one.quantity, one.relation, conditions);
+    };
+    std::set<decltype(what(observations.front()))> seen;
+    for (const QuantityObservation& observation : observations) {
+        check_observation(observation, faults);
+        if (!seen.insert(what(observation)).second) {
+            faults.push_back("observation " + observation.label + ": given twice");
         }
     }
 }
@@ -114,9 +133,7 @@ void check_mechanism(const Mechanism& mechanism, Faults& faults) {
         }
     }
     check_coarse(mechanism, faults);
-    for (const QuantityObservation& observation : mechanism.own_observations) {
-        check_observation(observation, faults);
-    }
+    check_observations(mechanism.own_observations, faults);
 }
 
 void check_profile(const ProfileObservation& profile, Faults& faults) {
@@ -187,9 +204,7 @@ std::vector<std::string> check_problem(const FitProblem& problem) {
     for (const Mechanism& mechanism : problem.mechanisms) {
         check_mechanism(mechanism, faults);
     }
-    for (const QuantityObservation& observation : problem.observations) {
-        check_observation(observation, faults);
-    }
+    check_observations(problem.observations, faults);
     if (problem.profile) {
         check_profile(*problem.profile, faults);
     }

@@ -84,20 +84,25 @@ class Target {
           surrogate_(judged_anew_        ? judged_anew_.get()
                      : costly != nullptr ? costly->surrogate.get()
                                          : nullptr),
+          without_runs_(surrogate_ == nullptr && misfit_.mechanism().model.costly &&
+                        !misfit_.free_parameters().empty()),
           quantity_([this](std::span<const double> parameters) {
-              return surrogate_ != nullptr ? surrogate_->value(parameters, Priors::ignored)
-                                           : misfit_.value(parameters, Priors::ignored);
+              return without_runs_           ? Evaluation{0, "too_few_runs_have_an_answer"}
+                     : surrogate_ != nullptr ? surrogate_->value(parameters, Priors::ignored)
+                                             : misfit_.value(parameters, Priors::ignored);
           }),
           bounded_([this](std::span<const double> parameters, double most) {
               return misfit_.value_of_data(parameters, most);
           }),
           evaluator_{quantity_, progress,
                      stop,      problem.settings.threads,
-                     nullptr,   surrogate_ == nullptr ? &bounded_ : nullptr},
+                     nullptr,   surrogate_ == nullptr && !without_runs_ ? &bounded_ : nullptr},
           prior_(problem.mechanisms[mechanism].parameters) {}
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
 
+    // Whether a costly model has too few runs with an answer for a surrogate. It is not run any more.
+    bool without_runs() const { return without_runs_; }
     const Misfit& misfit() const { return misfit_; }
     const Evaluator& evaluator() const { return evaluator_; }
     const PriorSpace& prior() const { return prior_; }
@@ -106,6 +111,7 @@ class Target {
     Misfit misfit_;
     std::unique_ptr<Surrogate> judged_anew_;  // refers to the misfit
     const Surrogate* surrogate_;
+    bool without_runs_;
     Objective quantity_;
     BoundedObjective bounded_;
     Evaluator evaluator_;
@@ -314,6 +320,7 @@ MechanismPosterior study_posterior(const FitProblem& problem, std::size_t mechan
     const PosteriorSettings settings = posterior_settings(problem);
     MechanismPosterior result;
     result.missing_data = target.misfit().missing_count();
+    result.log_own_precision = target.misfit().log_own_precision();
     result.posterior = sample_posterior(target.evaluator(), target.prior(), settings);
     for (const EvidenceVariant variant : variants_of(problem)) {
         const Evidence evidence =
@@ -336,7 +343,7 @@ MechanismPosterior study_posterior(const FitProblem& problem, std::size_t mechan
     if (costly != nullptr) {
         warn_of_reach(reach_of_runs(target.misfit(), costly->runs), std::to_string(costly->runs.size()) + " runs",
                       result.warnings);
-    } else {
+    } else if (!target.without_runs()) {
         warn_of_reach(reach_of_priors(target, settings.seed), "512 draws of them", result.warnings);
     }
     warn_of_sampling(result, result.warnings);

@@ -37,6 +37,7 @@ struct MechanismPosterior {
     Posterior posterior;
     std::vector<VariantEvidence> evidences;  // as given first, then the variants that change something
     int missing_data = 0;               // number of data not predicted; a profile counts with its number of vertices
+    double log_own_precision = 0;       // of Misfit
     int missing_field_evidence = 0;     // number of pieces not predicted; set by the caller from the best point
     double least_misfit = 0;            // of the data, over all points evaluated; infinite if none was valid
     std::vector<Polyline> profiles;     // predicted at up to 200 draws; empty if none is predicted
@@ -45,7 +46,8 @@ struct MechanismPosterior {
     const Evidence& evidence() const { return evidences.front().evidence; }
     // Natural logarithm of the evidence, with missing data counted as missed.
     double log_evidence(const Evidence& of, bool with_field_evidence) const {
-        return of.log_evidence - 2 * (missing_data + (with_field_evidence ? missing_field_evidence : 0));
+        return of.log_evidence + log_own_precision -
+               2 * (missing_data + (with_field_evidence ? missing_field_evidence : 0));
     }
     double log_evidence() const { return log_evidence(evidence(), true); }
     // Logarithm of the share of the prior that the data leave: evidence over greatest likelihood.

@@ -19,6 +19,9 @@ bool same(const std::vector<Condition>& left, const std::vector<Condition>& righ
                       [](const Condition& a, const Condition& b) { return a.input == b.input && a.value == b.value; });
 }
 
+// The residual, in standard deviations, of an infinite prediction that satisfies an inequality.
+constexpr double as_far_as_infinity = 10;
+
 double scatter_of(const std::vector<std::size_t>& outputs, const Prediction& prediction) {
     double scatter = 0;
     for (const std::size_t output : outputs) {
@@ -47,6 +50,10 @@ Misfit::Misfit(const Mechanism& mechanism, const FitProblem& problem)
     for (QuantityObservation& observation : observations_) {
         const auto own = std::ranges::find(mechanism.own_observations, observation.label, &QuantityObservation::label);
         if (own != mechanism.own_observations.end()) {
+            if (own->quantity == observation.quantity && own->relation == Relation::equal &&
+                observation.relation == Relation::equal && output(own->quantity)) {
+                log_own_precision_ += std::log(observation.standard_deviation / own->standard_deviation);
+            }
             observation = *own;
         }
     }
@@ -175,7 +182,11 @@ std::string_view Misfit::visit_quantities(const ConditionSet& set, const Predict
         const QuantityObservation& observation = observations_[bound.observation];
         const double scatter = scatter_of(bound.scatter, prediction);
         const double deviation = std::hypot(observation.standard_deviation, scatter);
-        const double residual = (prediction.outputs[bound.output] - observation.value) / deviation;
+        double residual = (prediction.outputs[bound.output] - observation.value) / deviation;
+        // A slope that nothing drives has an infinite factor of safety, which is at least any value.
+        if (std::isinf(residual) && std::isfinite(scatter) && satisfied(observation.relation, residual)) {
+            residual = std::copysign(as_far_as_infinity, residual);
+        }
         if (!std::isfinite(residual) || !std::isfinite(scatter)) {
             return bound.not_a_number;
         }

@@ -93,6 +93,11 @@ class Misfit {
     // Nothing if no profile is predicted.
     std::optional<ProfileFit> compare_profile(std::span<const double> parameters) const;
 
+    // Logarithm of the factor by which the mechanism's own standard deviations of observed values raise the density of
+    // these: data less precise than those of the problem make no mechanism more likely. Of data in terms of another
+    // quantity densities cannot be compared; they count by their misfit alone.
+    double log_own_precision() const { return log_own_precision_; }
+
     // How much the scatter of predictions lowers the logarithm of the likelihood if the mean agrees with the data.
     double scatter_cost(std::span<const double> parameters) const;
 
@@ -138,6 +143,7 @@ class Misfit {
     const Mechanism& mechanism_;
     const FitProblem& problem_;
     std::vector<QuantityObservation> observations_;
+    double log_own_precision_ = 0;
     std::vector<Interval> bounds_;
     std::vector<ConditionSet> sets_;  // the first has no conditions
     std::vector<BoundObservation> bound_;

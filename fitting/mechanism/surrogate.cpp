@@ -37,7 +37,11 @@ double log_of(double value) {
     return value > 0 ? std::log(value) : -std::numeric_limits<double>::max() / 1e3;
 }
 
+// Without columns, where all data are inequalities, there are none.
 Eigen::MatrixXd principal_directions(const Eigen::MatrixXd& rows) {
+    if (rows.cols() == 0) {
+        return Eigen::MatrixXd(0, 0);
+    }
     const Eigen::RowVectorXd mean = rows.colwise().mean();
     const Eigen::BDCSVD<Eigen::MatrixXd> decomposition(rows.rowwise() - mean, Eigen::ComputeThinV);
     const Eigen::VectorXd share = decomposition.singularValues().cwiseAbs2();

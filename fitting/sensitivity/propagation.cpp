@@ -243,8 +243,17 @@ FailureProbability failure_probability(const Sums& all, const std::vector<Sums>&
 
 }  // namespace
 
+namespace {
+
+// An infinite factor of safety is a value, too: nothing drives the slope.
+bool gives_a_value(const Evaluation& evaluation) {
+    return evaluation.failure.empty() && !std::isnan(evaluation.value);
+}
+
+}  // namespace
+
 bool FailureCriterion::failed(const Evaluation& evaluation) const {
-    return evaluation.valid() ? failed(evaluation.value) : is_among(failing_words, evaluation.failure);
+    return gives_a_value(evaluation) ? failed(evaluation.value) : is_among(failing_words, evaluation.failure);
 }
 
 std::optional<bool> FailureCriterion::failed(const Interval& values) const {
@@ -261,7 +270,7 @@ std::optional<bool> FailureCriterion::failed(const Interval& values) const {
 }
 
 bool FailureCriterion::decided(const Evaluation& evaluation) const {
-    return evaluation.valid() || is_among(failing_words, evaluation.failure) ||
+    return gives_a_value(evaluation) || is_among(failing_words, evaluation.failure) ||
            is_among(standing_words, evaluation.failure);
 }
 

@@ -296,7 +296,8 @@ std::string surrogate_in_words(const MechanismFit& fit) {
     } else if (fit.identifiability.status == IdentifiabilityStatus::run_contradicts) {
         text += " The evidence is not known: the surrogate is not the model where it fits best.";
     } else if (surrogate.evidence_error <= 0.5) {
-        text += " By the surrogate the evidence may be wrong by " + in_percent(surrogate.evidence_error) + " at most.";
+        text += " By the surrogate the evidence may be wrong by " + in_percent(surrogate.evidence_error) +
+                ", if predictions change smoothly between runs.";
     } else {
         constexpr double worth_a_number = 1000;
         text += " The evidence is not known from so few runs: by the surrogate it may be wrong by " +

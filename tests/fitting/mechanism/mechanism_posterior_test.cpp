@@ -79,6 +79,37 @@ TEST(MechanismPosterior, EvidenceOfEachVariantIsThatOfTheTextbook) {
     EXPECT_TRUE(found.warnings.empty() || !mention(found.warnings, "exclude"));
 }
 
+// A rival that states the same datum with ten times the standard deviation would be perfect for every parameter.
+TEST(MechanismPosterior, LessPreciseDataMakeNoMechanismMoreLikely) {
+    FitProblem problem = linear_problem();
+    problem.mechanisms.push_back(problem.mechanisms.front());
+    const std::string label = problem.observations.front().label;
+    const auto own = [&](Relation relation) {
+        problem.mechanisms.back().own_observations = {{label, "factor_of_safety", relation, 1, 1, {}, "test"}};
+        return studied(problem, 1);
+    };
+    const MechanismPosterior found = own(Relation::equal);
+    // Both densities, of variance 0.68 + 0.01 and 0.68 + 1, in units of the shared standard deviation of 0.1.
+    EXPECT_NEAR(found.log_evidence(), std::log(0.1 / std::sqrt(0.68 + 1)), 4.1 * found.evidence().standard_error);
+    EXPECT_LT(found.log_evidence(), studied(problem, 0).log_evidence());
+    EXPECT_EQ(own(Relation::at_least).log_own_precision, 0);
+}
+
+TEST(MechanismPosterior, OfACostlyModelWithTooFewRunsIsUnknownWithoutFurtherRuns) {
+    FitProblem problem = linear_problem();
+    int runs = 0;
+    problem.mechanisms.front().model.predict = [&](std::span<const Assignment>) {
+        ++runs;
+        return Prediction{"no_answer", {}, {}};
+    };
+    problem.mechanisms.front().model.costly = true;
+    const MechanismPosterior found = studied(problem);
+    EXPECT_EQ(found.evidence().status, EvidenceStatus::no_valid_point);
+    EXPECT_EQ(found.evidence().log_evidence, -std::numeric_limits<double>::infinity());
+    EXPECT_LT(runs, 20) << "those that find out about a profile, 16 at most";
+    EXPECT_TRUE(mention(found.warnings, "too_few_runs_have_an_answer"));
+}
+
 TEST(MechanismPosterior, OfTwoParametersAgreesWithQuadrature) {
     // A product, so that the ridge bends: friction against water along FS = 1.
     const auto safety = [](double x, double y) { return x * (2 - y * y); };

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace delabole {
 namespace {
@@ -42,6 +43,25 @@ TEST(Misfit, CountsAnInequalityOnlyWhereBroken) {
     EXPECT_DOUBLE_EQ(misfit.parts(std::vector<double>{4, 8}).data, 9);
     EXPECT_EQ(misfit.compare(std::vector<double>{4, 8})[0].residual, 0);
     EXPECT_DOUBLE_EQ(misfit.compare(std::vector<double>{4, 8})[1].residual, 3);
+}
+
+// A slope that nothing drives has an infinite factor of safety: it stood, and did not just fail.
+TEST(Misfit, AnInfinitePredictionSatisfiesAnInequality) {
+    const auto parts = [](double sign, Relation relation) {
+        const ModelInterface model = formula_model(1, {"a"}, [sign](std::span<const double>) {
+            return answer({sign * std::numeric_limits<double>::infinity()});
+        });
+        const FitProblem problem =
+            test::problem_of(model, {test::free_parameter("x1", 0, 1)}, {observe("a", 3, 2, relation)});
+        return Misfit(problem.mechanisms[0], problem).parts(std::vector<double>{0.5});
+    };
+    EXPECT_TRUE(parts(1, Relation::at_least).failure.empty());
+    EXPECT_EQ(parts(1, Relation::at_least).data, 0);
+    EXPECT_EQ(parts(-1, Relation::at_most).data, 0);
+    EXPECT_FALSE(parts(1, Relation::equal).failure.empty());
+    EXPECT_FALSE(parts(1, Relation::at_most).failure.empty());
+    EXPECT_FALSE(parts(-1, Relation::at_least).failure.empty());
+    EXPECT_FALSE(parts(NAN, Relation::at_least).failure.empty());
 }
 
 TEST(Misfit, ConditionsOverrideInputsAndAreEvaluatedOnce) {

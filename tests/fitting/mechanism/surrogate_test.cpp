@@ -229,6 +229,18 @@ TEST(Surrogate, InterruptedRunsLeaveWhatWasFinished) {
     EXPECT_LT(*runs, 10);
 }
 
+// A costly mechanism whose data are inequalities, or that predicts none of the data.
+TEST(Surrogate, NeedsNoEquality) {
+    ModelInterface model = formula_model(1, {"area"}, [](std::span<const double> x) { return answer({100 * x[0]}); });
+    model.costly = true;
+    FitProblem problem =
+        test::problem_of(model, {test::free_parameter("x1", 0, 1)}, {observe("area", 60, 1, Relation::at_least)});
+    const FitResult result = fit(problem);
+    EXPECT_GE(only(result).best[0], 0.59);  // a standard deviation below, which the scatter of a surrogate may take
+    problem.observations = {observe("another", 60, 1)};
+    EXPECT_EQ(only(fit(problem)).data_count, 0);
+}
+
 TEST(OwnTerms, MechanismComparesTheSameDatumByItsOwnQuantity) {
     FitProblem problem = test::problem_of(test::linear_safety(), {test::free_parameter("x1", 0, 1)},
                                           {{"it failed", "factor_of_safety", Relation::equal, 1, 0.05, {}, "test"}});

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace delabole {
 namespace {
@@ -202,6 +203,17 @@ TEST(Propagation, ValuesOnOneSideOfTheLimitAreDecided) {
     EXPECT_EQ(above.failed(more_than(1)), true);
     EXPECT_EQ(above.failed(at_least(1)), std::nullopt);
     EXPECT_EQ(above.failed(any_number()), std::nullopt);
+}
+
+TEST(Propagation, AnInfiniteFactorOfSafetyStands) {
+    const double infinite = std::numeric_limits<double>::infinity();
+    const FailureCriterion below{1, FailureSide::below, {}, {}};
+    const FailureCriterion above{1, FailureSide::above, {}, {}};
+    EXPECT_TRUE(below.decided({infinite, {}}));
+    EXPECT_FALSE(below.failed({infinite, {}}));
+    EXPECT_TRUE(above.failed({infinite, {}}));
+    EXPECT_FALSE(below.decided({NAN, {}}));
+    EXPECT_FALSE(below.decided({infinite, "no_answer"}));
 }
 
 TEST(Propagation, NumbersThatAreNoneAreFailuresOfTheModel) {
