@@ -210,8 +210,8 @@ TEST(Propagation, AnInfiniteFactorOfSafetyStands) {
     const FailureCriterion below{1, FailureSide::below, {}, {}};
     const FailureCriterion above{1, FailureSide::above, {}, {}};
     EXPECT_TRUE(below.decided({infinite, {}}));
-    EXPECT_FALSE(below.failed({infinite, {}}));
-    EXPECT_TRUE(above.failed({infinite, {}}));
+    EXPECT_FALSE(below.failed(Evaluation{infinite, {}}));
+    EXPECT_TRUE(above.failed(Evaluation{infinite, {}}));
     EXPECT_FALSE(below.decided({NAN, {}}));
     EXPECT_FALSE(below.decided({infinite, "no_answer"}));
 }
