@@ -187,6 +187,11 @@ double ratio(double resisting, double driving) {
     return driving > 0 ? std::max(resisting, 0.0) / driving : infinity;
 }
 
+// Nothing holds a block that its base would have to pull.
+double factor(const SingleBlockResult& result, double resisting, double driving) {
+    return result.normal_force < 0 ? 0 : ratio(resisting, driving);
+}
+
 }  // namespace
 
 SingleBlockResult analyse(const SingleBlock& problem) {
@@ -202,10 +207,10 @@ SingleBlockResult analyse(const SingleBlock& problem) {
     result.weight = loads.weight;
     result.driving_force = loads.down_dip.at(inclination);
     result.normal_force = loads.into_base.at(inclination);
-    result.factor_of_safety = ratio(cohesive + friction * result.normal_force, result.driving_force);
+    result.factor_of_safety = factor(result, cohesive + friction * result.normal_force, result.driving_force);
     const double overturning = loads.overturning.at(inclination);
     const double restoring = loads.restoring.at(inclination);
-    result.overturning_factor = ratio(restoring, overturning);
+    result.overturning_factor = factor(result, restoring, overturning);
     result.critical_sliding_inclination = first_excess(loads.down_dip + -friction * loads.into_base, cohesive);
     result.critical_toppling_inclination = first_excess(loads.overturning + -1 * loads.restoring, 0);
     result.reaction_position = result.normal_force > 0

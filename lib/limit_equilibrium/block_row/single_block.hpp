@@ -103,10 +103,10 @@ struct SingleBlockResult {
     SingleBlockCheck check = SingleBlockCheck::input_out_of_range;  // the rest is meaningful only if valid
     BlockMotion static_mode{};                                      // superposition of the two criteria
     BlockMotion onset_mode{};                                       // of the rigid body released from rest
-    double factor_of_safety{};                                      // against sliding; infinite if no force drives
-    double overturning_factor{};                                    // restoring over overturning moment about the toe
-    double critical_sliding_inclination{};                          // 90 deg: slides at no inclination
-    double critical_toppling_inclination{};                         // 90 deg: topples at no inclination
+    double factor_of_safety{};               // against sliding; infinite if no force drives, 0 if the block lifts off
+    double overturning_factor{};             // restoring over overturning moment about the toe; likewise
+    double critical_sliding_inclination{};   // 90 deg: slides at no inclination
+    double critical_toppling_inclination{};  // 90 deg: topples at no inclination
     double weight{};
     double driving_force{};         // D
     double normal_force{};          // N, effective

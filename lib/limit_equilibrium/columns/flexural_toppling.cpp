@@ -30,34 +30,47 @@ double contact_above(const FlexuralSlope& slope, std::size_t index) {
     return slope.contact_height * std::min(height, next);
 }
 
+// What a column passes on to the next one below.
+struct Passed {
+    double push;
+    double friction;  // on the face between them, down on the lower column
+};
+
 FlexuralColumnState column_state(const FlexuralSlope& slope, const Angles& angles, double strength, std::size_t index,
-                                 double push_above) {
+                                 Passed& passed) {
     const FlexuralColumn& column = slope.column[index];
     const double t = column.width;
     const double weight = slope.unit_weight * t * column.height;
     const double above = contact_above(slope, index);
     const double below = index > 0 ? contact_above(slope, index - 1) : slope.contact_height * column.height;
     const double m = angles.friction;
-    const double bending = (weight * (column.height * angles.sine / 2 - t * angles.cosine / 6) +
-                            push_above * (above - 2 * m * t / 3) - strength * t * t / 6) /
-                           (below + m * t / 3);
-    const double toppling =
-        (weight * (column.height * angles.sine - t * angles.cosine) / 2 + push_above * (above - m * t)) / below;
+    const auto [push_above, friction_above] = passed;
+    const double overturning = weight * column.height * angles.sine / 2 + push_above * above;
+    const double pressing = weight * angles.cosine + friction_above;  // on the foot, without friction below
+    const double bending =
+        (overturning - friction_above * t / 2 - pressing * t / 6 - strength * t * t / 6) / (below + m * t / 3);
+    const double toppling = (overturning - friction_above * t / 2 - pressing * t / 2) / below;
+    const double torn_off = toppling - strength * t * t / (2 * below);
+    const bool foot_torn = m * bending > pressing + strength * t;
     const double relief = 1 - m * angles.foot_friction;
-    const double unresisted =
-        push_above * relief + weight * (angles.sine - angles.foot_friction * angles.cosine) - slope.cohesion * t;
+    const double unresisted = push_above + weight * angles.sine - angles.foot_friction * pressing - slope.cohesion * t;
     const double shearing = unresisted <= 0 ? 0 : relief > 0 ? unresisted / relief : infinite;
+    const double turning = std::min(foot_torn ? torn_off : bending, toppling);
     FlexuralColumnState state;
-    state.push = std::max({0.0, shearing, std::min(bending, toppling)});
+    state.push = std::max({0.0, shearing, turning});
     if (state.push > 0) {
-        state.mode = state.push == shearing  ? FlexuralMode::shears
-                     : state.push == bending ? FlexuralMode::bends
-                                             : FlexuralMode::topples;
+        state.mode = state.push == shearing   ? FlexuralMode::shears
+                     : state.push == toppling ? FlexuralMode::topples
+                                              : FlexuralMode::bends;
     }
     if (state.push < infinite) {
-        state.moment = weight * column.height * angles.sine / 2 + push_above * (above - m * t / 2) -
-                       state.push * (below + m * t / 2);
-        state.normal = weight * angles.cosine + m * push_above - m * state.push;
+        const double held_down = state.mode == FlexuralMode::bends ? strength * t : 0;
+        const double friction = std::min(m * state.push, pressing + held_down);
+        state.moment = overturning - friction_above * t / 2 - state.push * below - friction * t / 2;
+        state.normal = pressing - friction;
+        passed = {state.push, friction};
+    } else {
+        passed = {infinite, infinite};
     }
     return state;
 }
@@ -65,14 +78,16 @@ FlexuralColumnState column_state(const FlexuralSlope& slope, const Angles& angle
 Descent descend(const FlexuralSlope& slope, const Angles& angles, double strength) {
     Descent descent;
     descent.column.resize(slope.column.size());
-    for (std::size_t index = slope.column.size(); index-- > 0 && descent.toe_push < infinite;) {
-        descent.column[index] = column_state(slope, angles, strength, index, descent.toe_push);
-        descent.toe_push = descent.column[index].push;
+    Passed passed{0, 0};
+    for (std::size_t index = slope.column.size(); index-- > 0 && passed.push < infinite;) {
+        descent.column[index] = column_state(slope, angles, strength, index, passed);
     }
+    descent.toe_push = passed.push;
     return descent;
 }
 
-// The push decreases, and never increases, with strength: the least strength without a push lies in one bracket.
+// The push does not increase with strength, as long as contacts lie higher than friction across a column's width acts
+// back: the least strength without a push lies in one bracket.
 double required_strength(const FlexuralSlope& slope, const Angles& angles) {
     const auto stands = [&](double strength) { return descend(slope, angles, strength).toe_push <= 0; };
     if (stands(0)) {

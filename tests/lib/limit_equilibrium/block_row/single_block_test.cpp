@@ -116,6 +116,10 @@ TEST(SingleBlock, HeavyUpliftLiftsOff) {
     light.water = BlockWater{10e3, 2, 2.0};
     EXPECT_EQ(analyse(light).onset_mode, BlockMotion::lifts_off);
     EXPECT_EQ(analyse(light).static_mode, BlockMotion::lifts_off);
+    // Whatever its cohesion is.
+    light.base.cohesion = 1e6;
+    EXPECT_EQ(analyse(light).factor_of_safety, 0);
+    EXPECT_EQ(analyse(light).overturning_factor, 0);
 }
 
 TEST(SingleBlock, BadInputIsNamed) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 namespace delabole {
@@ -51,6 +52,59 @@ TEST(FlexuralToppling, WithoutTensileStrengthIsGoodmanAndBrays) {
     }
     EXPECT_GT(push, 0);
     EXPECT_EQ(stability.factor_of_safety, 0);
+}
+
+// A tall column above two short ones: friction cannot hold it by more than what presses its foot.
+TEST(FlexuralToppling, FrictionPullsNoFootOutOfTheRock) {
+    FlexuralSlope slope = slope_of({1, 1, 10}, 0);
+    slope.unit_weight = 25000;
+    slope.joint_friction_angle = degrees(45);
+    slope.contact_height = 1;
+    const double half_sine = std::sin(slope.base_dip) / 2;
+    const double half_cosine = std::cos(slope.base_dip) / 2;
+    const FlexuralStability stability = analyse(slope);
+    // Turning about lower edges, at contacts 1 m high: push and friction, in kN/m.
+    const double tall = 250 * (10 * half_sine - half_cosine);
+    const double friction_of_tall = 250 * 2 * half_cosine;
+    const double middle = 25 * (half_sine - half_cosine) + tall - friction_of_tall;
+    const double friction_of_middle = 25 * 2 * half_cosine + friction_of_tall;
+    const double toe = 25 * (half_sine - half_cosine) + middle - friction_of_middle;
+    EXPECT_NEAR(stability.column[2].push, 1e3 * tall, 1e-6);
+    EXPECT_NEAR(stability.column[1].push, 1e3 * middle, 1e-6);
+    EXPECT_NEAR(stability.toe_push, 1e3 * toe, 1e-6);
+    EXPECT_GT(stability.toe_push, 50e3);
+    EXPECT_EQ(stability.factor_of_safety, 0);
+}
+
+TEST(FlexuralToppling, NoFootIsPulledByMoreThanItsStrength) {
+    std::mt19937_64 random(7);
+    int torn = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const auto between = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        FlexuralSlope slope = slope_of({}, trial % 3 == 0 ? 0 : between(0, 2e5));
+        slope.base_dip = degrees(between(10, 60));
+        slope.joint_friction_angle = degrees(between(5, 45));
+        for (int column = 0; column < 5; ++column) {
+            slope.column.push_back({between(0.5, 1), between(2, 15)});
+        }
+        double before = std::numeric_limits<double>::infinity();
+        for (const double factor : {1.0, 1.5, 3.0}) {
+            FlexuralSlope stronger = slope;
+            stronger.tensile_strength *= factor;
+            const FlexuralStability stability = analyse(stronger);
+            for (std::size_t index = 0; index < slope.column.size(); ++index) {
+                const double most = stronger.tensile_strength * slope.column[index].width;
+                const double rounding = 1e-9 * unit_weight * 15 * 15;
+                EXPECT_GE(stability.column[index].normal, -most - rounding);
+                torn += stability.column[index].normal < -0.999 * most && most > 0 ? 1 : 0;
+            }
+            EXPECT_LE(stability.toe_push, before * (1 + 1e-9)) << "more strength, no more push";
+            before = stability.toe_push;
+        }
+    }
+    EXPECT_GT(torn, 50);
 }
 
 TEST(FlexuralToppling, EveryColumnIsInBalanceAtItsStrength) {
