@@ -1,7 +1,7 @@
 #include "dynamic_relaxation/study/post_failure.hpp"
 
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
-#include "dynamic_relaxation/study/rotation_share.hpp"
+#include "dynamic_relaxation/step/rotation_share.hpp"
 #include "numerics/constants.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "dynamic_relaxation/study/retrogression.hpp"
 
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
+#include "dynamic_relaxation/step/rotation_share.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
 #include "dynamic_relaxation/study/post_failure.hpp"
-#include "dynamic_relaxation/study/rotation_share.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"

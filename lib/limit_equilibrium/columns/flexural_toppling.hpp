@@ -16,7 +16,8 @@
 // the second, and the model is Goodman & Bray's.
 //   Friction does not pull a foot out of the rock: it holds the left face up by T_l <= m P_l, and by no more than
 // leaves N = 0 under a block, and N = -s t under a foot that has not cracked. About the lower edge the left face's
-// friction has no moment: (toppling) holds with any T_l. In all of these m P_r is replaced by T_r, what the column above passes on.
+// friction has no moment: (toppling) holds with any T_l. In all equations T_r, which the column above passes on, takes
+// the place of m P_r.
 // Where (bending) would need N < -s t, the foot is torn evenly, M = 0, under
 //   P_l y_l = W (h sin(d) - t cos(d)) / 2 + P_r y_r - T_r t - s t^2 / 2,     T_l = W cos(d) + T_r + s t.
 // (With full friction tall columns above short ones stood by the tension of feet without tensile strength.)

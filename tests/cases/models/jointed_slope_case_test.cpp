@@ -144,6 +144,42 @@ TEST(JointedSlopeCase, WarnsOfASideThatNothingHolds) {
     EXPECT_FALSE(warned(replaced(bench, "below_and_behind", "all_around")));
 }
 
+// A wedge of 1.05 m2 under one fault at 55 deg, which daylights 3 m below the crest: it slides if it stays a block.
+TEST(JointedSlopeCase, WarnsWhereOneOfFewBlocksBecameAPartOfAnother) {
+    const auto warned = [](const std::string& share) {
+        const Analysis analysis = analyse_model(parse_case(R"(schema = 1
+model = "relaxation"
+[scene]
+kind = "jointed_slope"
+)" + share + R"(
+outline = [{ x = "0 m", y = "0 m" }, { x = "20 m", y = "0 m" }, { x = "20 m", y = "12 m" }, { x = "5.596 m", y = "12 m" }]
+[[scene.rock]]
+name = "slate"
+density = "2700 kg/m3"
+[[scene.joint]]
+name = "open"
+friction_angle = "30 deg"
+[[scene.cut]]
+name = "fault"
+joint = "open"
+trace = { kind = "line", vertex = [{ x = "3.05 m", y = "7.362 m" }, { x = "7.445 m", y = "13.638 m" }] }
+[scene.frame]
+sides = "below_and_behind"
+thickness = "2 m"
+joint = "open"
+[settings]
+duration = "0.01 s"
+)",
+                                                           "case")
+                                                    .model);
+        return std::ranges::any_of(analysis.warnings, [](const std::string& warning) {
+            return warning.find("became a part of a neighbour and cannot fail alone") != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(warned(""));
+    EXPECT_FALSE(warned("sliver_share = 0"));
+}
+
 TEST(JointedSlopeCase, WarnsOfForcesWithoutEffectOrOutsideTheirBlock) {
     const std::string brief = replaced(std::string(slope_text), "duration = \"1 s\"", "duration = \"0.001 s\"");
     const auto warnings = [&](std::size_t block, std::string_view x) {
