@@ -1,5 +1,6 @@
 #include "fitting/back_analysis/verdict.hpp"
 
+#include "fitting/probability/estimate.hpp"
 #include "fitting/work/words.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -256,6 +257,27 @@ std::string limited_all_the_same(const Identifiability& identifiability,
                                  list_in_words(limited) + " (95 % range from the data alone).";
 }
 
+// Names the parameters whose 95 % interval holds values that the data exclude.
+std::string several_solutions(const std::vector<ProfileLikelihood>& profiles) {
+    std::vector<std::string> split;
+    for (const ProfileLikelihood& profile : profiles) {
+        const double quantile = chi_square_quantile(0.95, 1);
+        const auto possible = [&](double misfit) { return misfit <= profile.least_misfit + quantile; };
+        // Twice the level: the points of a profile scatter where the model is rough.
+        const auto excluded = [&](double misfit) {
+            return std::isfinite(misfit) && misfit > profile.least_misfit + 2 * quantile;
+        };
+        const auto first = std::ranges::find_if(profile.misfits, possible);
+        const auto last = std::find_if(profile.misfits.rbegin(), profile.misfits.rend(), possible).base();
+        if (!profile.with_priors && first < last && std::any_of(first, last, excluded)) {
+            split.push_back(profile.parameter);
+        }
+    }
+    return split.empty() ? ""
+                         : " There is more than one solution: the 95 % interval of " + list_in_words(split) +
+                               " holds values that the data exclude.";
+}
+
 }  // namespace
 
 std::string verdict(const Identifiability& identifiability, const VerdictQuestion& question) {
@@ -300,7 +322,7 @@ std::string doubt_from_profiles(const Identifiability& identifiability,
         }
     }
     if (open.empty()) {
-        return {};
+        return several_solutions(profiles);
     }
     return " That holds near the best point only: over the whole range the data alone close no 95 % interval for " +
            list_in_words(open) + ", and the fitted values depend on the priors.";

@@ -217,6 +217,22 @@ TEST(BackAnalysis, AFlatBestPointIsNotTheWholeRange) {
     EXPECT_EQ(idle.identifiability.verdict.find("That holds"), std::string::npos);
 }
 
+TEST(BackAnalysis, TwoSolutionsAreNotCalledOne) {
+    const auto verdict = [](double lowest) {
+        const ModelInterface model = formula_model(1, {"safety"}, [lowest](std::span<const double> x) {
+            return answer({lowest + (1 - lowest) * std::pow((x[0] - 0.5) / 0.3, 2)});
+        });
+        return fit(test::problem_of(model, {test::free_parameter("x1", 0, 1)}, {observe("safety", 1, 0.02)}))
+            .mechanisms[0]
+            .identifiability.verdict;
+    };
+    // Two roots, 12.5 standard deviations away in between, and roots that one standard deviation joins.
+    const std::string words =
+        "There is more than one solution: the 95 % interval of x1 holds values that the data exclude.";
+    EXPECT_NE(verdict(0.75).find(words), std::string::npos) << verdict(0.75);
+    EXPECT_EQ(verdict(0.98).find("more than one solution"), std::string::npos) << verdict(0.98);
+}
+
 TEST(BackAnalysis, IntervalsBetweenContradictingDataAreDoubtful) {
     const ModelInterface model = formula_model(1, {"a", "b"}, [](std::span<const double> x) {
         return answer({x[0], x[0]});

@@ -229,7 +229,7 @@ std::string limit_in_words(const SteppedBaseResult& result) {
     case LimitState::fails_at_any_strength:
         break;
     }
-    return "Fails: no factor on the strength, however large, holds the lowest column.";
+    return "Fails: no factor on the strength was found that holds the lowest column.";
 }
 
 }  // namespace
