@@ -136,6 +136,20 @@ void check_mechanism(const Mechanism& mechanism, Faults& faults) {
     check_observations(mechanism.own_observations, faults);
 }
 
+// A mechanism's own observation takes the place of the one with its label.
+void check_own_labels(const Mechanism& mechanism, const std::vector<QuantityObservation>& observations,
+                      Faults& faults) {
+    for (const QuantityObservation& own : mechanism.own_observations) {
+        const auto with_its_label = [&](const std::vector<QuantityObservation>& all) {
+            return std::ranges::count(all, own.label, &QuantityObservation::label);
+        };
+        if (with_its_label(mechanism.own_observations) > 1 || with_its_label(observations) > 1) {
+            faults.push_back(mechanism.name + ", observation " + own.label +
+                             ": its label belongs to more than one observation");
+        }
+    }
+}
+
 void check_profile(const ProfileObservation& profile, Faults& faults) {
     check_positive("profile", profile.standard_deviation, faults);
     for (const Point& point : profile.profile) {
@@ -205,6 +219,9 @@ std::vector<std::string> check_problem(const FitProblem& problem) {
         check_mechanism(mechanism, faults);
     }
     check_observations(problem.observations, faults);
+    for (const Mechanism& mechanism : problem.mechanisms) {
+        check_own_labels(mechanism, problem.observations, faults);
+    }
     if (problem.profile) {
         check_profile(*problem.profile, faults);
     }

@@ -110,7 +110,7 @@ void summarise(const Misfit& misfit, const Surrogate* surrogate, bool found, Mec
     }
     fit.prior_misfit = parts.prior;
     fit.misfit = fit.data_misfit + fit.prior_misfit;
-    fit.ranking_score = fit.misfit + score_of_silence * silent;
+    fit.ranking_score = fit.misfit + score_of_silence * silent - 2 * misfit.log_own_precision();
     fit.observations = misfit.compare(fit.best);
     fit.profile_fit = misfit.compare_profile(fit.best);
     fit.scatter_cost = misfit.scatter_cost(fit.best);

@@ -173,7 +173,8 @@ struct MechanismFit {
     double prior_misfit = 0;
     int data_count = 0;  // number of observations compared; a profile counts with its number of vertices
     // misfit + 4 for each datum and each piece of field evidence that the mechanism does not predict, as if missed by
-    // two standard deviations; otherwise a mechanism would gain by predicting less. Infinite without a valid point.
+    // two standard deviations; otherwise a mechanism would gain by predicting less. Less 2 log_own_precision() of
+    // Misfit. Infinite without a valid point.
     double ranking_score = 0;
     Prediction prediction;  // at the best point
     std::vector<ObservationFit> observations;

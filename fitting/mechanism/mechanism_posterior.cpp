@@ -324,7 +324,8 @@ MechanismPosterior study_posterior(const FitProblem& problem, std::size_t mechan
     result.posterior = sample_posterior(target.evaluator(), target.prior(), settings);
     for (const EvidenceVariant variant : variants_of(problem)) {
         const Evidence evidence =
-            variant == EvidenceVariant::as_given
+            target.without_runs() && !result.evidences.empty() ? result.evidence()
+            : variant == EvidenceVariant::as_given
                 ? estimate_evidence(target.evaluator(), target.prior(), result.posterior.draws,
                                     evidence_settings(problem))
                 : evidence_of_variant(problem, mechanism, costly, variant, result.posterior.draws, progress, stop);

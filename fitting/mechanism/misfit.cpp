@@ -19,8 +19,9 @@ bool same(const std::vector<Condition>& left, const std::vector<Condition>& righ
                       [](const Condition& a, const Condition& b) { return a.input == b.input && a.value == b.value; });
 }
 
-// The residual, in standard deviations, of an infinite prediction that satisfies an inequality.
-constexpr double as_far_as_infinity = 10;
+// The greatest residual, in standard deviations, of a prediction that satisfies an inequality: infinite ones have it,
+// too, so that residuals change smoothly to it.
+constexpr double far_within = 10;
 
 double scatter_of(const std::vector<std::size_t>& outputs, const Prediction& prediction) {
     double scatter = 0;
@@ -50,10 +51,6 @@ Misfit::Misfit(const Mechanism& mechanism, const FitProblem& problem)
     for (QuantityObservation& observation : observations_) {
         const auto own = std::ranges::find(mechanism.own_observations, observation.label, &QuantityObservation::label);
         if (own != mechanism.own_observations.end()) {
-            if (own->quantity == observation.quantity && own->relation == Relation::equal &&
-                observation.relation == Relation::equal && output(own->quantity)) {
-                log_own_precision_ += std::log(observation.standard_deviation / own->standard_deviation);
-            }
             observation = *own;
         }
     }
@@ -83,6 +80,11 @@ void Misfit::bind_observations() {
             unbound_.push_back({index, "has no input " + lacking->input + ", which the observation fixes"});
         } else {
             bound_.push_back({index, *bound_output, {}, observation.quantity + " is not a number"});
+            const QuantityObservation& shared = problem_.observations[index];
+            if (shared.quantity == observation.quantity && shared.relation == Relation::equal &&
+                observation.relation == Relation::equal) {
+                log_own_precision_ += std::log(shared.standard_deviation / observation.standard_deviation);
+            }
             for (const std::string_view prefix : {deviation_prefix, path_deviation_prefix}) {
                 if (const auto deviation = output(std::string(prefix) + observation.quantity)) {
                     bound_.back().scatter.push_back(*deviation);
@@ -184,8 +186,8 @@ std::string_view Misfit::visit_quantities(const ConditionSet& set, const Predict
         const double deviation = std::hypot(observation.standard_deviation, scatter);
         double residual = (prediction.outputs[bound.output] - observation.value) / deviation;
         // A slope that nothing drives has an infinite factor of safety, which is at least any value.
-        if (std::isinf(residual) && std::isfinite(scatter) && satisfied(observation.relation, residual)) {
-            residual = std::copysign(as_far_as_infinity, residual);
+        if (std::isfinite(scatter) && satisfied(observation.relation, residual)) {
+            residual = std::clamp(residual, -far_within, far_within);
         }
         if (!std::isfinite(residual) || !std::isfinite(scatter)) {
             return bound.not_a_number;

@@ -241,10 +241,6 @@ FailureProbability failure_probability(const Sums& all, const std::vector<Sums>&
     return failure;
 }
 
-}  // namespace
-
-namespace {
-
 // An infinite factor of safety is a value, too: nothing drives the slope.
 bool gives_a_value(const Evaluation& evaluation) {
     return evaluation.failure.empty() && !std::isnan(evaluation.value);

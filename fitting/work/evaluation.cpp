@@ -28,7 +28,9 @@ void EvaluationCount::record(const Evaluation& evaluation) {
     if (evaluation.valid()) {
         return;
     }
-    const std::string_view unnamed = std::isnan(evaluation.value) ? "not_a_number" : "infinite";
+    const std::string_view unnamed = std::isnan(evaluation.value) ? "not_a_number"
+                                     : evaluation.value > 0       ? "infinite"
+                                                                  : "minus_infinite";
     add_cause(failed_by_cause, evaluation.failure.empty() ? unnamed : evaluation.failure, 1);
 }
 

@@ -23,7 +23,8 @@ struct EvaluationCount {
     long optimiser_rejections = 0;  // failed evaluations that an algorithm received as a finite penalty
     std::vector<std::pair<std::string, long>> failed_by_cause;  // sorted by cause
 
-    // Counts one evaluation, under the cause "not_a_number" or "infinite" if it failed without saying why.
+    // Counts one evaluation, under the cause "not_a_number", "infinite" or "minus_infinite" if it failed without saying
+    // why.
     void record(const Evaluation& evaluation);
     void add(const EvaluationCount& other);
     long failed() const;

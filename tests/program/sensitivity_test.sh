@@ -56,7 +56,7 @@ for figure in tornado morris sobol_indices histogram cumulative convergence; do
 done
 # A crack of 4.348 m cannot hold 5 m of water: an eighth of the samples has no answer.
 expect "samples without an answer are counted by cause" contains one/result.json '"water_above_crack"'
-expect "and named in the report" contains one/report.html 'without a value'
+expect "and named in the report" contains one/report.html 'without a finite value'
 finding='of the 256 rows of samples have an evaluation without a value and were left out'
 expect "a finding from the rest of the rows says so" contains one/result.json "$finding"
 expect_output "$finding"

@@ -25,7 +25,10 @@ std::string method_in_words(const PropagationSettings& settings) {
 }
 
 std::string counted_as(const StudySubject& subject, const std::string& cause) {
-    const Evaluation evaluation{0, cause};
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const Evaluation evaluation = cause == "infinite"         ? Evaluation{infinite, {}}
+                                  : cause == "minus_infinite" ? Evaluation{-infinite, {}}
+                                                              : Evaluation{0, cause};
     const bool decided = subject.criterion && subject.criterion->decided(evaluation);
     const std::string judged = !decided ? "neither" : subject.criterion->failed(evaluation) ? "failed" : "stands";
     const auto bound = std::ranges::find(subject.bounds, cause, &OutputBound::failure);
@@ -34,7 +37,7 @@ std::string counted_as(const StudySubject& subject, const std::string& cause) {
 }
 
 Table causes_table(const StudySubject& subject, const PropagationResult& result) {
-    Table table{"Samples without a value, by cause", {"cause", "samples"_number, "share"_number, "counted as"}};
+    Table table{"Samples without a finite value, by cause", {"cause", "samples"_number, "share"_number, "counted as"}};
     for (const auto& [cause, number] : result.evaluations.failed_by_cause) {
         table.rows.push_back({cause, std::to_string(number),
                               percent(static_cast<double>(number) / static_cast<double>(result.samples)),

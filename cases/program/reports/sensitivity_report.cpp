@@ -68,7 +68,7 @@ std::vector<std::string> findings(const StudySubject& subject, const Sensitivity
                             ", standard deviation " + subject.in_words(samples.standard_deviation) +
                             (samples.with_value < samples.samples
                                  ? ", of the " + std::to_string(samples.with_value) + " of " +
-                                       std::to_string(samples.samples) + " samples that have a value."
+                                       std::to_string(samples.samples) + " samples that have a finite value."
                                  : "."));
     }
     if (result.propagation && result.propagation->failure) {

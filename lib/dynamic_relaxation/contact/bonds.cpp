@@ -62,7 +62,7 @@ Bond make_bond(const SharedFace& face, const BondMaterial& material, const Joint
 
 // Convex blocks touch along one line. The face is the whole part of it that the same joint as that of `part` follows,
 // however corners divide it; lengths in between that another joint follows, or that a third block parts, do not count.
-// `faces`: of find_shared_faces.
+// `faces`: of find_shared_faces, whose blocks have the order of those of find_bonds.
 SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
                       const SharedFace& part) {
     double begin = -part.length / 2;

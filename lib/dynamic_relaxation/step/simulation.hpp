@@ -30,7 +30,7 @@ struct StaticSolveSettings;
 class Simulation {
   public:
     // The scene must be valid. A static start or a trial without corners ends before it has an answer if another
-    // thread sets `stop`, which may be null: such a run is not worth continuing.
+    // thread sets `stop`, which may be null: the outcome of such a run means nothing.
     Simulation(RelaxationScene scene, RelaxationSettings settings, const std::atomic<bool>* stop = nullptr);
     // Continues from a state of the same scene and settings, exact to the last bit.
     Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state);

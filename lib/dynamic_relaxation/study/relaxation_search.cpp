@@ -54,9 +54,6 @@ class PathSearch {
                       simulation, {}, [&](double) { return !stop; }, [] {}, [] {});
               });
           }) {
-        if (ahead_.most() > 0) {
-            settings_.threads = 1;
-        }
         // A search needs neither the motion after onset nor the time until then.
         settings_.stop_at_onset = true;
         settings_.creep = initial_contact(study) == InitialContact::drawn || !any_is_drawn_apart(scene_);
@@ -134,6 +131,7 @@ class PathSearch {
                                  plan_.is_ratio() ? BracketMean::geometric : BracketMean::arithmetic);
         };
         std::vector<CriticalProbe> verdicts;
+        const std::size_t threads = std::exchange(settings_.threads, ahead_.most() > 0 ? 1 : settings_.threads);
         const CriticalValue found = search([&](double at) {
             if (const auto known = standing_.find(at); known != standing_.end()) {
                 return verdicts.emplace_back(known->second);
@@ -150,6 +148,7 @@ class PathSearch {
             return verdicts.emplace_back(made);
         });
         ahead_.stop();
+        settings_.threads = threads;
         return found;
     }
 
@@ -300,11 +299,18 @@ class PathSearch {
         if (check(scene, settings_).check != SceneCheck::valid) {
             return {{RelaxationOutcome::scene_not_valid, 0}};
         }
+        const CriticalProbe stopped{RelaxationOutcome::interrupted, 0};
+        if (stop != nullptr && *stop) {
+            return {stopped};
+        }
         if (needed == Needed::verdict && !state && fails_by_statics(scene, settings_, initial_contact(study_))) {
             return {{RelaxationOutcome::onset, 0, 0, false, false, true}};
         }
         Simulation simulation = begun(scene, std::move(state), stop);
         const bool ended = advance(simulation);
+        if (stop != nullptr && *stop) {
+            return {stopped};
+        }
         const RelaxationResult result = simulation.result();
         const RelaxationCost& cost = result.cost;
         if (!ended) {

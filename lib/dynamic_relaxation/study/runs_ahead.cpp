@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -67,7 +68,13 @@ void RunsAhead::make(double present, std::span<const double> next) {
     for (const double value : next) {
         if (!is_made(value) && runs_.size() < most) {
             Run& run = runs_.emplace_back(value);
-            run.made = std::async(std::launch::async, [this, value, &stop = run.stop] { return make_(value, stop); });
+            try {
+                run.made =
+                    std::async(std::launch::async, [this, value, &stop = run.stop] { return make_(value, stop); });
+            } catch (const std::system_error&) {
+                runs_.pop_back();  // no more threads: the search makes the run when it asks for it
+                return;
+            }
         }
     }
 }

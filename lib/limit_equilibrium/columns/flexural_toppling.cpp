@@ -54,7 +54,11 @@ FlexuralColumnState column_state(const FlexuralSlope& slope, const Angles& angle
     const bool foot_torn = m * bending > pressing + strength * t;
     const double relief = 1 - m * angles.foot_friction;
     const double unresisted = push_above + weight * angles.sine - angles.foot_friction * pressing - slope.cohesion * t;
-    const double shearing = unresisted <= 0 ? 0 : relief > 0 ? unresisted / relief : infinite;
+    // With all the friction that the foot allows, N = -s t.
+    const double torn_and_sheared =
+        push_above + weight * angles.sine - slope.cohesion * t + angles.foot_friction * strength * t;
+    const bool all_friction = relief > 0 && m * unresisted <= relief * (pressing + strength * t);
+    const double shearing = unresisted <= 0 ? 0 : all_friction ? unresisted / relief : std::max(torn_and_sheared, 0.0);
     const double turning = std::min(foot_torn ? torn_off : bending, toppling);
     FlexuralColumnState state;
     state.push = std::max({0.0, shearing, turning});
@@ -63,15 +67,11 @@ FlexuralColumnState column_state(const FlexuralSlope& slope, const Angles& angle
                      : state.push == toppling ? FlexuralMode::topples
                                               : FlexuralMode::bends;
     }
-    if (state.push < infinite) {
-        const double held_down = state.mode == FlexuralMode::bends ? strength * t : 0;
-        const double friction = std::min(m * state.push, pressing + held_down);
-        state.moment = overturning - friction_above * t / 2 - state.push * below - friction * t / 2;
-        state.normal = pressing - friction;
-        passed = {state.push, friction};
-    } else {
-        passed = {infinite, infinite};
-    }
+    const double held_down = state.mode == FlexuralMode::topples ? 0 : strength * t;
+    const double friction = std::min(m * state.push, pressing + held_down);
+    state.moment = overturning - friction_above * t / 2 - state.push * below - friction * t / 2;
+    state.normal = pressing - friction;
+    passed = {state.push, friction};
     return state;
 }
 
@@ -79,15 +79,16 @@ Descent descend(const FlexuralSlope& slope, const Angles& angles, double strengt
     Descent descent;
     descent.column.resize(slope.column.size());
     Passed passed{0, 0};
-    for (std::size_t index = slope.column.size(); index-- > 0 && passed.push < infinite;) {
+    for (std::size_t index = slope.column.size(); index-- > 0;) {
         descent.column[index] = column_state(slope, angles, strength, index, passed);
     }
     descent.toe_push = passed.push;
     return descent;
 }
 
-// The push does not increase with strength, as long as contacts lie higher than friction across a column's width acts
-// back: the least strength without a push lies in one bracket.
+// The push does not increase with strength, and the least strength without a push lies in one bracket, but in rare
+// slopes: where columns are sheared off, or contacts lie lower than friction across a column's width acts back, there
+// may be more brackets, and this is one of them.
 double required_strength(const FlexuralSlope& slope, const Angles& angles) {
     const auto stands = [&](double strength) { return descend(slope, angles, strength).toe_push <= 0; };
     if (stands(0)) {
@@ -98,8 +99,12 @@ double required_strength(const FlexuralSlope& slope, const Angles& angles) {
         // This strength is enough for every column by itself.
         upper = std::max(upper, 3 * slope.unit_weight * column.height * column.height * angles.sine / column.width);
     }
-    if (!stands(upper)) {
-        return infinite;
+    // Pushes from above may need more.
+    constexpr int most_doublings = 10;
+    for (int doublings = 0; !stands(upper); ++doublings, upper *= 2) {
+        if (doublings == most_doublings) {
+            return infinite;
+        }
     }
     double lower = 0;
     for (;;) {

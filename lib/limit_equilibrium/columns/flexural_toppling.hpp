@@ -21,9 +21,10 @@
 // Where (bending) would need N < -s t, the foot is torn evenly, M = 0, under
 //   P_l y_l = W (h sin(d) - t cos(d)) / 2 + P_r y_r - T_r t - s t^2 / 2,     T_l = W cos(d) + T_r + s t.
 // (With full friction tall columns above short ones stood by the tension of feet without tensile strength.)
-//   In addition the column must not
-// shear off its foot of cohesion c and friction mb, which needs
-//   P_l (1 - m mb) = P_r (1 - m mb) + W (sin(d) - mb cos(d)) - c t.                                       (shearing)
+//   In addition the column must not shear off its foot of cohesion c and friction mb, which needs
+//   P_l (1 - m mb) = P_r - mb T_r + W (sin(d) - mb cos(d)) - c t,                                         (shearing)
+// or, where that would need N < -s t or m mb >= 1,
+//   P_l = P_r + W sin(d) - c t + mb s t.
 // The greatest of the push for shearing, the smaller push above and zero acts on the next column. The slope fails if
 // the toe column needs a push. Printed forms in the literature take h y_r and y_l as shares of the height, as here, and
 // have the bending case alone.
@@ -87,15 +88,14 @@ enum class FlexuralMode { stands, bends, topples, shears };
 
 struct FlexuralColumnState {
     FlexuralMode mode = FlexuralMode::stands;
-    double push = 0;    // N/m, required from the column below; infinite if no push holds it
+    double push = 0;    // N/m, required from the column below
     double moment = 0;  // N, at its foot, under that push
     double normal = 0;  // N/m, compression at its foot, under that push
     static constexpr auto fields() {
         using C = FlexuralColumnState;
         return FieldTable{
             section<&C::mode>("how it fails unless it is pushed"),
-            number<&C::push>(Dimension::force_per_length,
-                             "that it needs from the column below; infinite: none holds it"),
+            number<&C::push>(Dimension::force_per_length, "that it needs from the column below"),
             number<&C::normal>(Dimension::force_per_length, "compression at its foot, where it gets that push")};
     }
 };

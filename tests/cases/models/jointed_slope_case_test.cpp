@@ -173,7 +173,7 @@ duration = "0.01 s"
                                                            "case")
                                                     .model);
         return std::ranges::any_of(analysis.warnings, [](const std::string& warning) {
-            return warning.find("became a part of a neighbour and cannot fail alone") != std::string::npos;
+            return warning.find("became part of a neighbour and cannot fail alone") != std::string::npos;
         });
     };
     EXPECT_TRUE(warned(""));

@@ -93,6 +93,13 @@ TEST(MechanismPosterior, LessPreciseDataMakeNoMechanismMoreLikely) {
     EXPECT_NEAR(found.log_evidence(), std::log(0.1 / std::sqrt(0.68 + 1)), 4.1 * found.evidence().standard_error);
     EXPECT_LT(found.log_evidence(), studied(problem, 0).log_evidence());
     EXPECT_EQ(own(Relation::at_least).log_own_precision, 0);
+    // Nor does a datum that the mechanism cannot be compared with.
+    own(Relation::equal);
+    problem.mechanisms.back().own_observations.front().standard_deviation = 0.01;
+    problem.mechanisms.back().own_observations.front().conditions = {{"x9", 1}};
+    EXPECT_EQ(studied(problem, 1).log_own_precision, 0);
+    problem.mechanisms.back().own_observations.push_back(problem.mechanisms.back().own_observations.front());
+    EXPECT_TRUE(mention(check_problem(problem), "its label belongs to more than one observation"));
 }
 
 TEST(MechanismPosterior, OfACostlyModelWithTooFewRunsIsUnknownWithoutFurtherRuns) {
@@ -103,6 +110,7 @@ TEST(MechanismPosterior, OfACostlyModelWithTooFewRunsIsUnknownWithoutFurtherRuns
         return Prediction{"no_answer", {}, {}};
     };
     problem.mechanisms.front().model.costly = true;
+    problem.profile = ProfileObservation{{Point(0, 0), Point(1, 0)}, 1, "test"};
     const MechanismPosterior found = studied(problem);
     EXPECT_EQ(found.evidence().status, EvidenceStatus::no_valid_point);
     EXPECT_EQ(found.evidence().log_evidence, -std::numeric_limits<double>::infinity());

@@ -33,10 +33,8 @@ Figure columns_figure(const FlexuralSlope& slope, const FlexuralStability& resul
         drawing.blocks.push_back({.outline = {left, right, right + column.height * up, left + column.height * up},
                                   .label = std::to_string(index + 1),
                                   .mode = drawn(state.mode)});
-        if (std::isfinite(state.push)) {
-            const double contact = slope.contact_height * std::min(column.height, height_before);
-            drawing.forces.push_back({left + contact * up, state.push * along});
-        }
+        const double contact = slope.contact_height * std::min(column.height, height_before);
+        drawing.forces.push_back({left + contact * up, state.push * along});
         foot += column.width;
         height_before = column.height;
     }

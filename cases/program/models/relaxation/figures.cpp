@@ -327,9 +327,10 @@ void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& mad
     // The median of so few blocks tells little of them: a sliver may be what the case is about.
     constexpr std::size_t few_blocks = 10;
     if (section.slivers_merged > 0 && made.block.size() <= few_blocks) {
-        analysis.warnings.push_back(std::to_string(section.slivers_merged) +
-                                    " of the few blocks, small beside the others, became a part of a neighbour and "
-                                    "cannot fail alone: with scene.sliver_share = 0 they stay");
+        analysis.warnings.push_back(
+            (section.slivers_merged == 1 ? std::string("a small piece")
+                                         : std::to_string(section.slivers_merged) + " small pieces") +
+            " became part of a neighbour and cannot fail alone: scene.sliver_share = 0 keeps what is small");
     }
     if (section.slivers_kept > 0) {
         analysis.warnings.push_back(std::to_string(section.slivers_kept) +

@@ -76,6 +76,21 @@ TEST(FlexuralToppling, FrictionPullsNoFootOutOfTheRock) {
     EXPECT_EQ(stability.factor_of_safety, 0);
 }
 
+// With all the friction on its face that its weight allows, the column slides on a foot that bears nothing.
+TEST(FlexuralToppling, ASlidingColumnIsHeldUpByNoMoreThanItsWeight) {
+    FlexuralSlope slope = slope_of({10}, 0);
+    slope.base_dip = degrees(60);
+    slope.cohesion = 0;
+    for (const double friction : {45.0, 60.0}) {
+        slope.joint_friction_angle = degrees(friction);
+        slope.friction_angle = degrees(40);
+        const FlexuralStability stability = analyse(slope);
+        EXPECT_EQ(stability.column[0].mode, FlexuralMode::shears);
+        EXPECT_NEAR(stability.toe_push, 10 * unit_weight * std::sin(degrees(60)), 1e-6);
+        EXPECT_NEAR(stability.column[0].normal, 0, 1e-6);
+    }
+}
+
 TEST(FlexuralToppling, NoFootIsPulledByMoreThanItsStrength) {
     std::mt19937_64 random(7);
     int torn = 0;
