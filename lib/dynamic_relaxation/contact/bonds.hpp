@@ -136,7 +136,7 @@ class Bonds {
     const std::vector<BlockForce>& on_blocks() const { return force_on_block_; }
 
     // J/m, stored in a bond or, some seconds `ago`, with its present force and velocity.
-    double elastic_energy(std::size_t bond, const std::vector<Motion>& motion, double ago = 0) const;
+    double elastic_energy(std::size_t index, const std::vector<Motion>& motion, double ago = 0) const;
     // J/m, stored in the bonds that are whole.
     double elastic_energy(const std::vector<Motion>& motion, const std::vector<BondMemory>& memory) const;
     // Breaks whole bonds that are overloaded at rest and returns their numbers: all those that hand over to contacts at

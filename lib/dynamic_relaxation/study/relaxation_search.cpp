@@ -28,7 +28,7 @@ bool shows_failure(RelaxationOutcome outcome) {
     return is_failure(outcome) || outcome == RelaxationOutcome::held_by_corners;
 }
 
-// How many runs a search makes ahead. Threads save more time so than within a run, of which statics uses one only,
+// How many runs a search makes ahead. Threads save more time so than within a run, whose statics uses only one of them,
 // unless there are very many blocks.
 std::size_t runs_ahead(const StudyWork& work, const RelaxationScene& scene) {
     constexpr std::size_t very_many = 5000;

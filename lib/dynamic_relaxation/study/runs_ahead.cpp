@@ -56,6 +56,11 @@ void RunsAhead::keep_only(std::span<const double> values) {
     std::erase_if(runs_, [](const Run& run) { return run.stop && has_ended(run.made, std::chrono::milliseconds(0)); });
 }
 
+void RunsAhead::stop() {
+    keep_only({});
+    runs_.clear();
+}
+
 void RunsAhead::make(double present, std::span<const double> next) {
     std::vector<double> kept(next.begin(), next.end());
     kept.push_back(present);

@@ -46,7 +46,8 @@ class RunsAhead {
     // these and the present one. The caller makes the run at the present value, unless it was begun before.
     void make(double present, std::span<const double> next);
 
-    void stop() { keep_only({}); }
+    // Stops all runs and waits until they have ended.
+    void stop();
 
     // The run at this value; empty if none was begun. It is waited for as long as `goes_on`, which is called ten times
     // a second, returns true, and stopped then: its outcome is `interrupted`.
