@@ -50,8 +50,10 @@ class PathSearch {
           settings_(settings_for(study, work, scene_)),
           ahead_(runs_ahead(work, scene_), [this](double value, const std::atomic<bool>& stop) {
               return run_at(value, Needed::verdict, {}, &stop, [&](Simulation& simulation) {
+                  const auto goes_on = [&](double) { return !stop; };
                   return go_on(
-                      simulation, {}, [&](double) { return !stop; }, [] {}, [] {});
+                             simulation, {}, goes_on, [] {}, [] {}) &&
+                         !stop;
               });
           }) {
         // A search needs neither the motion after onset nor the time until then.
@@ -299,18 +301,14 @@ class PathSearch {
         if (check(scene, settings_).check != SceneCheck::valid) {
             return {{RelaxationOutcome::scene_not_valid, 0}};
         }
-        const CriticalProbe stopped{RelaxationOutcome::interrupted, 0};
         if (stop != nullptr && *stop) {
-            return {stopped};
+            return {{RelaxationOutcome::interrupted, 0}};
         }
         if (needed == Needed::verdict && !state && fails_by_statics(scene, settings_, initial_contact(study_))) {
             return {{RelaxationOutcome::onset, 0, 0, false, false, true}};
         }
         Simulation simulation = begun(scene, std::move(state), stop);
         const bool ended = advance(simulation);
-        if (stop != nullptr && *stop) {
-            return {stopped};
-        }
         const RelaxationResult result = simulation.result();
         const RelaxationCost& cost = result.cost;
         if (!ended) {
