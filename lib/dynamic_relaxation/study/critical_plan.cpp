@@ -1,4 +1,4 @@
-// What a search looks for, with the values that a case leaves out filled in, and the outputs that it has.
+// This fills in what the request of a search leaves out, and names the outputs of a search.
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <iterator>

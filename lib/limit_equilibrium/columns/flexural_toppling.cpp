@@ -30,7 +30,7 @@ double contact_above(const FlexuralSlope& slope, std::size_t index) {
     return slope.contact_height * std::min(height, next);
 }
 
-// What a column passes on to the next one below.
+// A column passes these on to the next one below.
 struct Passed {
     double push;
     double friction;  // on the face between them, down on the lower column
@@ -54,7 +54,7 @@ FlexuralColumnState column_state(const FlexuralSlope& slope, const Angles& angle
     const bool foot_torn = m * bending > pressing + strength * t;
     const double relief = 1 - m * angles.foot_friction;
     const double unresisted = push_above + weight * angles.sine - angles.foot_friction * pressing - slope.cohesion * t;
-    // With all the friction that the foot allows, N = -s t.
+    // Here friction is all that the foot allows: N = -s t.
     const double torn_and_sheared =
         push_above + weight * angles.sine - slope.cohesion * t + angles.foot_friction * strength * t;
     const bool all_friction = relief > 0 && m * unresisted <= relief * (pressing + strength * t);
