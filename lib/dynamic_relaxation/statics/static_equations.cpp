@@ -362,7 +362,7 @@ StaticEquations::BlockBalance StaticEquations::balance_of(std::size_t index, con
 }
 
 Eigen::Vector3d StaticEquations::load_on(std::size_t block) const {
-    return load_share_ * loads_[block].cwiseProduct(Eigen::Vector3d(1, 1, 1 / bodies_.radius[block]));
+    return loads_[block].cwiseProduct(Eigen::Vector3d(1, 1, 1 / bodies_.radius[block]));
 }
 
 double StaticEquations::load_of(std::size_t index) const {

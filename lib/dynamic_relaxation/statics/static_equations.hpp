@@ -37,9 +37,6 @@ class StaticEquations {
     // Load of each block, N/m; infinite where the block is held.
     std::vector<double> weights() const;
 
-    // Sets the share of the loads that acts, initially 1.
-    void set_load_share(double share) { load_share_ = share; }
-
     // Turns on the pseudo-viscosity of contacts, including open ones, which keeps them from fluttering. Otherwise
     // nothing is computed for it.
     void let_contacts_resist() { contacts_resist_ = true; }
@@ -133,7 +130,6 @@ class StaticEquations {
     std::optional<SparseSystem> system_ = {};  // empty if no block is free
     bool contacts_resist_ = false;
     Eigen::VectorXd unbalanced_ = {};
-    double load_share_ = 1;
     double stiffest_ = 0;
     std::uint64_t contacts_evaluated_ = 0;
 };

@@ -34,14 +34,8 @@ class StaticSolver {
             return {0, false, false, motion, list.memory, 0};
         }
         forget_tried(list.memory);
-        const MemoryArray memory = list.memory;
         std::vector<Motion> start = motion;
         StaticSolution found = approach(start, motion, list);
-        constexpr std::size_t few_enough = 400;  // larger assemblies settle in the run at less cost
-        if (found.ratio > settings_.tolerance && !may_leave_crept() && !bonds_.empty() &&
-            equations_.free_blocks().size() < few_enough) {
-            approach_in_steps(start, memory, found, motion, list);
-        }
         // Joints lose their peak strength one after the other, wherever it is reached.
         while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
             start = motion;
@@ -59,29 +53,6 @@ class StaticSolver {
     }
 
   private:
-    // Slender bonded columns lean far on each other before the full load is in balance, and rounds diverge on the way.
-    // Under an increasing load they converge. (Without bonds that would not help: friction that cannot hold the full
-    // load cannot hold a part of it either.) If this fails too, the state is left unchanged.
-    void approach_in_steps(const std::vector<Motion>& start, const MemoryArray& memory, StaticSolution& found,
-                           std::vector<Motion>& motion, ContactList& list) {
-        constexpr int steps = 8;
-        constexpr double astray = 0.3;  // of a load: too much for the following steps to correct
-        std::vector<Motion> stepped = start;
-        MemoryArray memory_found = std::exchange(list.memory, memory);
-        StaticSolution last{0, false, false, start, {}, 0};
-        for (int step = 1; step <= steps && last.ratio <= astray; ++step) {
-            equations_.set_load_share(static_cast<double>(step) / steps);
-            last = approach(start, stepped, list);
-        }
-        equations_.set_load_share(1);
-        if (last.ratio > settings_.tolerance) {
-            list.memory = std::move(memory_found);
-            return;
-        }
-        found = std::move(last);
-        motion = std::move(stepped);
-    }
-
     // Blocks held by corners on corners have to be held with either edge (corner_choice.hpp). Returns whether there was
     // anything to try.
     bool try_corners(StaticSolution& found, std::vector<Motion>& motion, ContactList& list) {

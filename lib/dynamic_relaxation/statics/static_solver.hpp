@@ -55,8 +55,7 @@ struct StaticSolution {
 // improves: it converges to stable equilibria only. Each solution uses Newton's tangents of the contacts (friction
 // makes them unsymmetric). Fewer than 24 free blocks move by one linear solution at a time, 300 at most, or 2000 where
 // they may be left crept. More blocks move in steps, each solved until pseudo-viscosity, which then acts in contacts,
-// too, balances the unbalanced forces; there are 2000 linear solutions at most. If bonded blocks, fewer than 400 and
-// not left to creep, find no balance, the solver tries again with loads that grow in eight steps.
+// too, balances the unbalanced forces; there are 2000 linear solutions at most.
 StaticSolution solve_statically(const Bodies& bodies, const std::vector<char>& held,
                                 const std::vector<Eigen::Vector3d>& loads, const StaticSolveSettings& settings,
                                 const StaticSolution* creeping, const Bonds& bonds,
