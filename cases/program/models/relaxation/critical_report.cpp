@@ -181,7 +181,8 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
 }
 
 // Sentences on the result of a search, with its bracket.
-std::vector<std::string> search_sentences(const CriticalPlan& plan, const CriticalAnswer& critical) {
+std::vector<std::string> search_sentences(const CriticalPlan& plan, const CriticalAnswer& critical,
+                                          bool fails_as_given) {
     const Dimension dimension = dimension_of(plan.parameter);
     const bool is_factor = plan.parameter == CriticalParameter::strength_reduction;
     const std::string name = is_factor ? "factor of safety" : human_name(name_of_critical(plan.parameter));
@@ -189,7 +190,9 @@ std::vector<std::string> search_sentences(const CriticalPlan& plan, const Critic
     if (critical.status != CriticalStatus::found) {
         return {"No " + name + " found: " + path_in_words(plan, critical) + "."};
     }
-    return {is_factor ? factor_in_words(value) + (value >= 1 ? ", by strength reduction: stands." : ": fails.")
+    return {is_factor ? factor_in_words(value) + (value < 1        ? ": fails."
+                                                  : fails_as_given ? ", by strength reduction."
+                                                                   : ", by strength reduction: stands.")
                       : capitalised(name + " " + value_in_words(value, dimension)) + ".",
             "At " + bracket_in_words(critical.stands, critical.fails, dimension) + " the blocks stand, at " +
                 bracket_in_words(critical.fails, critical.stands, dimension) + " they fail."};
@@ -283,19 +286,27 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
         const CriticalAnswer& critical = *answer.critical;
         const bool found = critical.status == CriticalStatus::found;
         const bool is_factor = answer.plan->parameter == CriticalParameter::strength_reduction;
-        HeadCard head{!found                              ? AnswerTone::open
+        const bool fails_as_given = found && answer.plan->is_ratio() && critical.value() >= 1 &&
+                                    (is_failure(result.outcome) || result.failed_at_rest());
+        HeadCard head{!found || fails_as_given            ? AnswerTone::open
                       : is_factor && critical.value() < 1 ? AnswerTone::bad
                                                           : AnswerTone::good,
-                      search_sentences(*answer.plan, critical),
+                      search_sentences(*answer.plan, critical, fails_as_given),
                       {}};
-        head.sentences.push_back(
-            answer.fails_if_softer
-                ? "It depends on the stiffness of the joints: with a tenth of it the blocks fail at " +
-                      value_in_words(*answer.fails_if_softer, dimension_of(answer.plan->parameter)) + " already."
-            : answer.other_path && !answer.other_path->stands
-                ? "It depends on the loading path: with all loads at once the blocks fail at " +
-                      value_in_words(answer.other_path->value, dimension_of(answer.plan->parameter)) + " already."
-                : "With the strength and loads as given: " + continued(end_in_words(made)));
+        const Dimension dimension = dimension_of(answer.plan->parameter);
+        const std::size_t answers = head.sentences.size();
+        if (answer.other_path && !answer.other_path->stands) {
+            head.sentences.push_back("It depends on the loading path: with all loads at once the blocks fail at " +
+                                     value_in_words(answer.other_path->value, dimension) + " already.");
+        }
+        if (answer.fails_if_softer) {
+            head.sentences.push_back(
+                "It depends on the stiffness of the joints: with a tenth of it the blocks fail at " +
+                value_in_words(*answer.fails_if_softer, dimension) + " already.");
+        }
+        if (fails_as_given || head.sentences.size() == answers) {
+            head.sentences.push_back("With the strength and loads as given: " + continued(end_in_words(made)));
+        }
         return head;
     }
     HeadCard head{tone_of(made), {end_in_words(made)}, {}};
