@@ -184,6 +184,69 @@ vertex = [{ x = "10.9497545788 m", y = "5.97 m" }, { x = "15.9497545788 m", y = 
     EXPECT_NEAR(factor_of(kept), 2.903, 0.005) << "the bracket";
 }
 
+// Columns on a stepped base that cohesion holds, with an earthquake's share of their weight. Under all loads at once
+// contacts of perfectly plastic joints slip or open on the way to a balance, which exists under loads that grow: such
+// joints must hold what brittle ones of the same peak hold.
+constexpr std::string_view cohesive_columns_text = R"(schema = 1
+model = "relaxation"
+[scene]
+kind = "stepped_base"
+tilt = "30.09 deg"
+density = "2549 kg/m3"
+[scene.interface]
+friction_angle = "39.93 deg"
+cohesion = "17.3 kPa"
+residual_cohesion = "0 kPa"
+[scene.base]
+friction_angle = "39.54 deg"
+cohesion = "18.05 kPa"
+residual_cohesion = "18.05 kPa"
+[[scene.block]]
+width = "1.428 m"
+height = "2.573 m"
+step_above = "0.362 m"
+[[scene.block]]
+width = "1.447 m"
+height = "2.874 m"
+step_above = "0 m"
+[[scene.block]]
+width = "1.155 m"
+height = "3.593 m"
+step_above = "0.386 m"
+[[shaking]]
+time = "0 s"
+horizontal = "2.3555 m/s2"
+vertical = "0 m/s2"
+)";
+
+TEST(RelaxationRest, PlasticJointsHoldWhatBrittleOnesHold) {
+    const std::string plastic =
+        changed(cohesive_columns_text, "residual_cohesion = \"0 kPa\"", "residual_cohesion = \"17.3 kPa\"");
+    for (const std::string& text : {std::string(cohesive_columns_text), plastic}) {
+        EXPECT_EQ(std::get<std::string>(output_at_rest(analysis_of_text(text), "outcome")), "equilibrium") << text;
+    }
+    EXPECT_GE(factor_of(search_for_factor(plastic)), factor_of(search_for_factor(cohesive_columns_text)) - 0.005)
+        << "the bracket";
+}
+
+TEST(RelaxationRest, AFactorAboveOneDoesNotStandWhereTheBlocksFailAsGiven) {
+    RelaxationStudyAnswer answer;  // made up: few slopes are so
+    answer.plan = CriticalPlan{CriticalParameter::strength_reduction, 0.5, 2, 0.01, {LoadingPath::consolidated}, {}};
+    CriticalAnswer& search = answer.critical.emplace();
+    search.status = CriticalStatus::found;
+    search.stands = 1.03;
+    search.fails = 1.04;
+    answer.run.result.outcome = RelaxationOutcome::equilibrium;
+    EXPECT_EQ(head_card({}, answer).tone, AnswerTone::good);
+    EXPECT_TRUE(head_card({}, answer).sentences.front().ends_with("stands."));
+    answer.fails_if_softer = 0.9;
+    answer.run.result.outcome = RelaxationOutcome::collapse;
+    const HeadCard fails = head_card({}, answer);
+    EXPECT_EQ(fails.tone, AnswerTone::open);
+    EXPECT_TRUE(fails.sentences.front().ends_with("by strength reduction."));
+    EXPECT_TRUE(fails.sentences.back().starts_with("With the strength and loads as given: collapsed"));
+}
+
 // A stage takes away what stands in front of a block on a plane. The block's tip then stands in the corner of plane and
 // floor, and its factor is tan(30 deg) / tan(dip). It was 1.242 as long as statics was not asked after stages.
 TEST(RelaxationRest, StaticsIsAskedAfterExcavation) {
