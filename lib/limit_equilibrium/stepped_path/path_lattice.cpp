@@ -1,5 +1,7 @@
 #include "limit_equilibrium/stepped_path/path_lattice.hpp"
 
+#include "limit_equilibrium/stepped_path/surface_strength.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -94,7 +96,11 @@ PathLattice::PathLattice(const SteppedPath& path) {
         riser_spacing_ = path.risers->spacing;
         risers = greatest_retreat / riser_spacing_;
     }
-    if (!slides) {
+    if (slides) {
+        const double toe_to_crest = right_of(riser_along_).dot(crest);  // positive if risers are steeper than the face
+        risers_in_front_ = std::floor(std::max(0.0, toe_to_crest) / riser_spacing_);
+        risers += risers_in_front_;
+    } else {
         column_up_ = {-std::cos(column_dip), std::sin(column_dip)};
         column_spacing_ = path.columns->spacing;
         columns = span / column_spacing_;
@@ -123,6 +129,9 @@ PathLattice::PathLattice(const SteppedPath& path) {
 
 // Whether any sufficiently wide surface daylights within the allowed retreat.
 bool PathLattice::has_surface() const {
+    if (std::ranges::any_of(step_outcrop, &std::optional<Point>::has_value)) {
+        return true;
+    }
     for (std::size_t riser = 0; riser < riser_node.size(); ++riser) {
         const auto& nodes = riser_node[riser];
         if (retreat(riser_outcrop[riser]) >= least_width &&
@@ -148,7 +157,7 @@ SectionLine PathLattice::level_line(std::size_t level) const {
 
 SectionLine PathLattice::riser_line(std::size_t riser) const {
     SectionLine line = line_through(crest, right_of(riser_along_));
-    line.offset += static_cast<double>(riser) * riser_spacing_;
+    line.offset += (static_cast<double>(riser) - risers_in_front_) * riser_spacing_;
     return line;
 }
 
@@ -175,8 +184,7 @@ double PathLattice::area_above(const Point& from, const Point& to) const {
 
 bool PathLattice::inside(const Point& point) const {
     return face_.normal.dot(point) < face_.offset - tolerance_ &&
-           upper_.normal.dot(point) < upper_.offset - tolerance_ &&
-           !(massive_ && massive_->normal.dot(point) < massive_->offset - tolerance_);
+           upper_.normal.dot(point) < upper_.offset - tolerance_ && !in_massive_rock(point);
 }
 
 // The point at which a ray from inside leaves the rock; the rock has no lower boundary.
@@ -197,6 +205,15 @@ std::optional<Point> PathLattice::face_point(std::size_t level) const {
     }
     const Point point = crossing(level_line(level), face_);
     return point.y() < crest.y() - tolerance_ ? std::optional(point) : std::nullopt;
+}
+
+std::optional<Point> PathLattice::riser_in_face(std::size_t riser) const {
+    if (!(cross(riser_along_, Point(cot_face_, 1)) > 0)) {
+        return std::nullopt;
+    }
+    const Point point = crossing(riser_line(riser), face_);
+    const bool in_face = point.y() >= -tolerance_ && point.y() < crest.y() - tolerance_;
+    return in_face && !in_massive_rock(point) ? std::optional(point) : std::nullopt;
 }
 
 void PathLattice::set_water(const SteppedPath& path) {
@@ -337,8 +354,9 @@ void PathLattice::add_push(PathLoad& load, const EdgeWater& water, const Point& 
 }
 
 void PathLattice::set_riser_outcrops() {
-    for (std::size_t riser = 0;; ++riser) {
-        const Point outcrop = riser == 0 ? crest : crossing(riser_line(riser), upper_);
+    for (double from_crest = -risers_in_front_;; ++from_crest) {
+        const SectionLine riser = riser_line(riser_outcrop.size());
+        const Point outcrop = from_crest == 0 ? crest : crossing(riser, from_crest < 0 ? face_ : upper_);
         if (retreat(outcrop) > greatest_retreat) {
             break;
         }
@@ -356,6 +374,13 @@ void PathLattice::set_risers() {
             if (at_face && inside(node) && node.x() - at_face->x() >= least_width) {
                 nodes[level] = node;
             }
+        }
+    }
+    step_outcrop.resize(levels);
+    for (std::size_t level = 0; level < levels && cross(Point(1, slope_upper_), step_along_) > 0; ++level) {
+        const Point outcrop = crossing(level_line(level), upper_);
+        if (face_point(level) && is_far_enough(outcrop) && !in_massive_rock(outcrop)) {
+            step_outcrop[level] = outcrop;
         }
     }
 }
@@ -427,15 +452,9 @@ std::optional<PathWedge> PathLattice::make_wedge(const SteppedPath& path, std::s
     loads.weight = wedge.area * unit_weight_;
     loads.joint_dip = path.risers->dip;
     loads.joint_length = (wedge.outcrop - corner).norm();
-    loads.friction_angle = path.risers->friction_angle;
-    loads.cohesion = path.risers->cohesion;
-    if (path.rock_bridges) {
-        const RockBridges& bridges = *path.rock_bridges;
-        const double joint = bridges.riser_persistence;
-        loads.cohesion = joint * loads.cohesion + (1 - joint) * bridges.cohesion;
-        loads.friction_angle =
-            std::atan(joint * std::tan(loads.friction_angle) + (1 - joint) * std::tan(bridges.friction_angle));
-    }
+    const SurfaceStrength strength(path);
+    loads.friction_angle = path.rock_bridges ? std::atan(strength.riser_friction) : path.risers->friction_angle;
+    loads.cohesion = strength.riser_cohesion;
     loads.water_force = water_on(corner, wedge.outcrop).force;
     loads.force_x = load.force.x();
     loads.force_y = load.force.y();
@@ -467,7 +486,7 @@ void PathLattice::set_columns(const SteppedPath& path) {
         }
         std::vector<PathWedge>& behind = wedges.emplace_back();
         for (std::size_t riser = 0; riser < riser_outcrop.size(); ++riser) {
-            if (retreat(riser_outcrop[riser]) >= least_width) {
+            if (is_far_enough(riser_outcrop[riser])) {
                 if (auto made = make_wedge(path, joint, riser)) {
                     behind.push_back(*made);
                 }

@@ -5,9 +5,9 @@
 // is the lowest of a few straight lines, the ground among them, so that the height of water over a straight edge is
 // concave and linear between a few points.
 //
-// Levels are counted upwards from the plane of the steps that daylights at the toe, 0; risers into the slope from the
-// joint through the crest, 0; joints of columns into the slope from the one through the toe, 0. Column n stands between
-// joints n - 1 and n.
+// Levels are counted upwards from the plane of the steps that daylights at the toe, 0; risers into the slope, for
+// sliding from the first one behind the toe, otherwise from the joint through the crest, 0; joints of columns into the
+// slope from the one through the toe, 0. Column n stands between joints n - 1 and n.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -73,6 +73,8 @@ class PathLattice {
 
     // For sliding; a node is absent outside the rock, and if the mass in front of it would be too narrow.
     std::vector<std::vector<std::optional<Point>>> riser_node;  // by riser, then level
+    std::vector<std::optional<Point>> step_outcrop;  // by level, where the step comes out far enough behind the crest
+    // Where the riser comes out; in front of the crest, where it comes out in the face.
     std::vector<Point> riser_outcrop;
 
     // For toppling.
@@ -81,7 +83,12 @@ class PathLattice {
     std::vector<std::vector<PathWedge>> wedges;  // behind joint n, by n - 1
 
     std::optional<Point> face_point(std::size_t level) const;
+    // Where a riser that is flatter than the face comes out above the toe; empty if massive rock begins there.
+    std::optional<Point> riser_in_face(std::size_t riser) const;
     double retreat(const Point& outcrop) const { return outcrop.x() - crest.x(); }
+    bool is_far_enough(const Point& outcrop) const {
+        return retreat(outcrop) >= least_width && retreat(outcrop) <= greatest_retreat;
+    }
     // Rock between an edge and the ground above it, m2.
     double area_above(const Point& from, const Point& to) const;
     // Force of the water on an edge (N/m, at least 0) and the distance of its resultant from `from` along the edge.
@@ -97,6 +104,9 @@ class PathLattice {
     double ground(double x) const;
     double ground_integral(double x) const;
     bool inside(const Point& point) const;
+    bool in_massive_rock(const Point& point) const {
+        return massive_ && massive_->normal.dot(point) < massive_->offset - tolerance_;
+    }
     Point exit(const Point& from, const Point& along) const;
     void set_water(const SteppedPath& path);
     bool has_surface() const;
@@ -125,6 +135,7 @@ class PathLattice {
     Point column_up_;
     double step_spacing_ = 0;
     double riser_spacing_ = 0;
+    double risers_in_front_ = 0;  // of the joint through the crest
     double column_spacing_ = 0;
     double tolerance_ = 0;
 };

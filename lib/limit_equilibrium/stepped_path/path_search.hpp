@@ -1,6 +1,7 @@
 // The stepped surface of least factor of safety among all that the joints of a lattice allow.
 //
-// Sliding. The mass slides on the steps, out of the slope along their dip b; risers (dip a) open. With W the rock above
+// Sliding. The mass slides on the steps, out of the slope along their dip b; risers (dip a) open. The surface ends on a
+// riser, or on a step that comes out behind the crest. With W the rock above
 // the surface, U and V the water on steps and risers, c and m the cohesion and the tangent of the friction of the steps
 // (of joint and rock bridges together, Jennings 1970: k c_joint + (1 - k) c_rock, and m in the same way), t = (1 - k)
 // times the tensile strength on risers, and lengths l,
@@ -55,12 +56,13 @@
 
 namespace delabole {
 
-// A surface through a lattice. For sliding, `level` is that of the step that ends at each riser from `first` on. For
-// columns it is that of each column from `first` (counted from 1) on, and `wedge` is the place of the wedge behind the
-// last one.
+// A surface through a lattice. For sliding, `level` is that of the step that ends at each riser from `first` on; after
+// the last riser that of a step which comes out behind the crest, if there is one. For columns it is that of each
+// column from `first` (counted from 1) on, and `wedge` is the place of the wedge behind the last one.
 struct LatticePath {
     std::size_t first = 0;
     std::vector<std::size_t> level = {};
+    bool ends_on_step = false;
     std::optional<std::size_t> wedge = {};
 };
 
@@ -89,6 +91,10 @@ std::vector<MovingColumn> moving_columns(const SteppedPath& problem, const PathL
 
 // The surface of least factor of safety among those that slide on steps.
 CriticalPath least_stable_sliding(const SteppedPath& problem, const PathLattice& lattice);
+
+// The least factor of safety of what slides on a single riser that comes out in the face and, as far behind the crest
+// as a surface may, on the ground. Infinite if there is none: risers are steeper than the face.
+Limit least_stable_on_riser(const SteppedPath& problem, const PathLattice& lattice);
 
 // Factor of safety of one given surface.
 Limit sliding_limit(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path);

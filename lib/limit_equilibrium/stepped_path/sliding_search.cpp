@@ -20,6 +20,10 @@ struct Ratio {
     double less(double factor) const { return resisting - factor * driving; }
 };
 
+bool is_plane(const LatticePath& path) {
+    return path.ends_on_step && path.level.size() == 1;
+}
+
 class SlidingGraph {
   public:
     SlidingGraph(const SteppedPath& problem, const PathLattice& lattice)
@@ -33,27 +37,35 @@ class SlidingGraph {
         step_ = start_;
         rise_ = start_;
         finish_ = start_;
-        for (std::size_t riser = 0; riser < count; ++riser) {
-            for (std::size_t level = 0; level < lattice.levels; ++level) {
+        run_out_ = start_;
+        plane_.resize(lattice.levels);
+        for (std::size_t level = 0; level < lattice.levels; ++level) {
+            bool has_riser = false;
+            for (std::size_t riser = 0; riser < count; ++riser) {
                 add_edges(riser, level);
+                has_riser = has_riser || lattice.riser_node[riser][level];
+            }
+            if (lattice.step_outcrop[level] && !has_riser) {
+                plane_[level] = on_step(*lattice.face_point(level), *lattice.step_outcrop[level]);
             }
         }
     }
 
     Ratio along(const LatticePath& path) const {
+        if (is_plane(path)) {
+            return *plane_[path.level.front()];
+        }
         Ratio sum = *start_[path.first][path.level.front()];
-        for (std::size_t index = 0; index < path.level.size(); ++index) {
+        for (std::size_t index = 0; index + 1 < path.level.size(); ++index) {
             const std::size_t riser = path.first + index;
-            const bool last = index + 1 == path.level.size();
-            if (last) {
-                return sum + *finish_[riser][path.level[index]];
-            }
-            for (std::size_t level = path.level[index]; level < path.level[index + 1]; ++level) {
+            const std::size_t above = path.level[index + 1];
+            for (std::size_t level = path.level[index]; level < above; ++level) {
                 sum = sum + *rise_[riser][level];
             }
-            sum = sum + *step_[riser + 1][path.level[index + 1]];
+            const bool comes_out = path.ends_on_step && index + 2 == path.level.size();
+            sum = sum + (comes_out ? *run_out_[riser][above] : *step_[riser + 1][above]);
         }
-        return sum;
+        return path.ends_on_step ? sum : sum + *finish_[path.first + path.level.size() - 1][path.level.back()];
     }
 
     // The path with the least sum of resistance - factor times driving force, or of the negative driving force alone if
@@ -67,6 +79,19 @@ class SlidingGraph {
         double best = infinity;
         std::size_t best_riser = 0;
         std::size_t best_level = 0;
+        bool ends_on_step = false;
+        const auto end = [&](double before_it, const std::optional<Ratio>& last, std::size_t riser, std::size_t level,
+                             bool on_step) {
+            if (last && before_it + cost(*last) < best) {
+                best = before_it + cost(*last);
+                best_riser = riser;
+                best_level = level;
+                ends_on_step = on_step;
+            }
+        };
+        for (std::size_t level = 0; level < lattice_.levels; ++level) {
+            end(0, plane_[level], count, level, true);
+        }
         for (std::size_t riser = 0; riser < count; ++riser) {
             std::vector<double> here(lattice_.levels, infinity);
             for (std::size_t level = 0; level < lattice_.levels; ++level) {
@@ -85,11 +110,8 @@ class SlidingGraph {
                 if (level > 0 && rise_[riser][level - 1]) {
                     offer(here[level - 1] + cost(*rise_[riser][level - 1]), Came::below);
                 }
-                if (finish_[riser][level] && here[level] + cost(*finish_[riser][level]) < best) {
-                    best = here[level] + cost(*finish_[riser][level]);
-                    best_riser = riser;
-                    best_level = level;
-                }
+                end(here[level], finish_[riser][level], riser, level, false);
+                end(here[level], run_out_[riser][level], riser, level, true);
             }
             before = std::move(here);
         }
@@ -97,7 +119,14 @@ class SlidingGraph {
             return std::nullopt;
         }
         LatticePath path;
+        path.ends_on_step = ends_on_step;
         path.level.push_back(best_level);
+        if (best_riser == count) {
+            return path;
+        }
+        if (ends_on_step) {
+            path.level.push_back(best_level);  // on the last riser
+        }
         std::size_t riser = best_riser;
         for (std::size_t level = best_level; came[riser][level] != Came::face;) {
             if (came[riser][level] == Came::below) {
@@ -142,8 +171,12 @@ class SlidingGraph {
         if (level + 1 < lattice_.levels && node[level + 1]) {
             rise_[riser][level] = on_riser(*node[level], *node[level + 1]);
         }
-        if (lattice_.retreat(lattice_.riser_outcrop[riser]) >= lattice_.least_width) {
+        if (lattice_.is_far_enough(lattice_.riser_outcrop[riser])) {
             finish_[riser][level] = on_riser(*node[level], lattice_.riser_outcrop[riser]);
+        }
+        const bool is_last = riser + 1 == lattice_.riser_node.size() || !lattice_.riser_node[riser + 1][level];
+        if (lattice_.step_outcrop[level] && is_last) {
+            run_out_[riser][level] = on_step(*node[level], *lattice_.step_outcrop[level]);
         }
     }
 
@@ -152,8 +185,10 @@ class SlidingGraph {
     double unit_weight_;
     double dip_;
     double opening_;
-    // Tables by riser and level: edges from the face, from the riser before, to the level above, to the ground.
-    std::vector<std::vector<std::optional<Ratio>>> start_, step_, rise_, finish_;
+    // Tables by riser and level: edges from the face, from the riser before, to the level above, to the ground along
+    // the riser and along the step.
+    std::vector<std::vector<std::optional<Ratio>>> start_, step_, rise_, finish_, run_out_;
+    std::vector<std::optional<Ratio>> plane_;  // steps from the face to the ground that no riser cuts
 };
 
 Limit limit_of(const Ratio& ratio) {
@@ -167,6 +202,27 @@ Limit limit_of(const Ratio& ratio) {
 }
 
 }  // namespace
+
+Limit least_stable_on_riser(const SteppedPath& problem, const PathLattice& lattice) {
+    const SurfaceStrength strength(problem);
+    Limit least{LimitState::holds_at_any_strength, infinity, 0};
+    for (std::size_t riser = 0; riser < lattice.riser_outcrop.size(); ++riser) {
+        const Point& to = lattice.riser_outcrop[riser];
+        const std::optional<Point> from = lattice.riser_in_face(riser);
+        if (!from || !lattice.is_far_enough(to)) {
+            continue;
+        }
+        const double dip = problem.risers->dip;
+        const double weight = problem.rock.unit_weight * lattice.area_above(*from, to);
+        const double normal = weight * std::cos(dip) - lattice.water_on(*from, to).force;
+        const Limit limit = limit_of(
+            {strength.riser_cohesion * (to - *from).norm() + strength.riser_friction * normal, weight * std::sin(dip)});
+        if (limit.value < least.value) {
+            least = limit;
+        }
+    }
+    return least;
+}
 
 CriticalPath least_stable_sliding(const SteppedPath& problem, const PathLattice& lattice) {
     const SlidingGraph graph(problem, lattice);

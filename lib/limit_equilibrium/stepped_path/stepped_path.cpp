@@ -121,19 +121,21 @@ double area_of(const Polyline& outline) {
 void set_sliding(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path,
                  SteppedPathResult& result) {
     add_point(result.surface, *lattice.face_point(path.level.front()));
-    for (std::size_t index = 0; index < path.level.size(); ++index) {
+    const std::size_t risers = path.level.size() - (path.ends_on_step ? 1 : 0);
+    for (std::size_t index = 0; index < risers; ++index) {
         const auto& nodes = lattice.riser_node[path.first + index];
         add_point(result.surface, *nodes[path.level[index]]);
         if (index + 1 < path.level.size()) {
             add_point(result.surface, *nodes[path.level[index + 1]]);
         }
     }
-    add_point(result.surface, lattice.riser_outcrop[path.first + path.level.size() - 1]);
+    add_point(result.surface, path.ends_on_step ? *lattice.step_outcrop[path.level.back()]
+                                                : lattice.riser_outcrop[path.first + risers - 1]);
     Polyline outline = result.surface;
     add_point(outline, lattice.crest);
     result.parts.push_back({outline, ColumnMode::slides, false});
     result.sliding_share = 1;
-    const Point along = unit(problem.risers->dip);
+    const Point along = unit(path.ends_on_step ? problem.steps.dip : problem.risers->dip);
     const Point out(-along.y(), along.x());
     const Motion motion{{{-unit(problem.steps.dip), Point(0, 0), 0}}, {{result.surface.back(), out}}};
     add_crest_movements(motion, lattice, result);
@@ -218,9 +220,10 @@ void describe_surface(const PathLattice& lattice, SteppedPathResult& result) {
     result.knee_height = knee.y();
     result.upper_height = top.y() - knee.y();
     result.upper_angle = std::atan2(top.y() - knee.y(), top.x() - knee.x());
-    const Point line = knee - foot;
+    const bool is_plane = surface.size() == 2;
+    const Point line = is_plane ? top - foot : Point(knee - foot);
     result.lower_angle = std::atan2(line.y(), line.x());
-    result.lower_roughness = rms_distance(std::span(surface).first(surface.size() - 1), foot, knee);
+    result.lower_roughness = is_plane ? 0 : rms_distance(std::span(surface).first(surface.size() - 1), foot, knee);
     for (std::size_t index = 1; index + 1 < surface.size(); ++index) {
         const Point edge = surface[index] - surface[index - 1];
         result.lower_steps += std::abs(edge.y()) > std::abs(edge.x()) ? 1 : 0;
@@ -234,8 +237,9 @@ void set_extent(const SteppedPath& problem, const PathLattice& lattice, const La
     const auto between_outcrops = [&](double spacing, double dip) {
         return spacing / std::abs(std::sin(dip) - std::cos(dip) * std::tan(problem.slope.upper_surface_dip));
     };
-    const double next = on_riser ? between_outcrops(problem.risers->spacing, problem.risers->dip)
-                                 : between_outcrops(problem.columns->spacing, problem.columns->dip);
+    const double next = path.ends_on_step ? between_outcrops(problem.steps.spacing, problem.steps.dip)
+                        : on_riser        ? between_outcrops(problem.risers->spacing, problem.risers->dip)
+                                          : between_outcrops(problem.columns->spacing, problem.columns->dip);
     if (result.retreat + next > lattice.greatest_retreat) {
         result.extent = PathExtent::greatest;
     } else if (result.retreat - next < lattice.least_width) {
@@ -256,6 +260,7 @@ SteppedPathResult analyse(const SteppedPath& problem) {
     result.limit = critical.limit;
     result.factor_of_safety = critical.factor_of_safety;
     result.searches = critical.searches;
+    result.factor_on_riser = least_stable_on_riser(problem, lattice).value;
     if (critical.path.level.empty()) {
         return result;
     }

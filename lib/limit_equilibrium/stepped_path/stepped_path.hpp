@@ -9,8 +9,10 @@
 // displacements across it. These are first displacements; later motion requires dynamic relaxation.
 //
 // Limits: rigid parts, surfaces within the three sets, water at rest, no loads but weight and water. A wedge does not
-// rotate; nor does a sliding mass, whose moments are not checked. The least factor of safety is exact on the lattice
-// (path_search.hpp); finer steps lower it, by amounts measured in stepped_path_test.cpp of the tests.
+// rotate; nor does a sliding mass, whose moments are not checked. Surfaces combine steps with risers that open: what
+// slides on a single riser has a factor of its own, and no surface slides on steps and risers. The least factor of
+// safety is exact on the lattice (path_search.hpp); finer steps lower it, by amounts measured in stepped_path_test.cpp
+// of the tests.
 #pragma once
 
 #include "limit_equilibrium/stepped_path/path_search.hpp"
@@ -28,6 +30,7 @@ struct SteppedPathResult {
     LimitState limit = LimitState::fails_at_any_strength;
     double factor_of_safety = 0;
     PathExtent extent = PathExtent::within;
+    double factor_on_riser = 0;
     double failed_area = 0;
     double retreat = 0;
     double foot_height = 0;
@@ -68,6 +71,9 @@ struct SteppedPathResult {
                                "the mass fails, but its toe is not in equilibrium there"),
             number<&R::factor_of_safety>(
                 "factor on all strength for limiting equilibrium, of the surface for which it is least"),
+            number<&R::factor_on_riser>("factor of safety of what slides on a single riser from the face to the ground "
+                                        "behind the crest, a mechanism of its own; infinite if none comes out so, or "
+                                        "if the mechanism has no risers"),
             section<&R::extent>("whether the surface is the smallest or the largest that may fail: then it is the "
                                 "limit of its size that decides, not strength"),
             number<&R::failed_area>(Dimension::area, "area in section of what fails"),

@@ -58,14 +58,26 @@ Figure section_figure(const SteppedPath& path, const SteppedPathResult& result) 
     return figure;
 }
 
+bool slides_on_riser(const SteppedPathResult& result) {
+    return result.factor_on_riser < result.factor_of_safety;
+}
+
 }  // namespace
 
 Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
     Analysis analysis;
     append_outputs(analysis, result);
+    if (slides_on_riser(result)) {
+        analysis.warnings.push_back(
+            "rock on a single riser, which comes out in the face, slides at a factor of safety of " +
+            number_in_words(result.factor_on_riser) +
+            ", before the surface that is searched for moves: the model plane_failure draws it, with the dip of the "
+            "risers");
+    }
     if (result.surface.empty()) {
         for (NamedOutput& output : analysis.outputs) {
-            if (output.name != "limit" && output.name != "factor_of_safety" && output.name != "searches") {
+            if (output.name != "limit" && output.name != "factor_of_safety" && output.name != "factor_on_riser" &&
+                output.name != "searches") {
                 output.value = "none";
             }
         }
@@ -91,16 +103,28 @@ Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
 }
 
 HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
-    if (result.surface.empty()) {
-        return result.limit == LimitState::holds_at_any_strength
-                   ? HeadCard{AnswerTone::good, {"No surface along the joints moves, even without strength."}, {}}
-                   : HeadCard{AnswerTone::bad, {"A surface along the joints moves whatever the strength."}, {}};
+    const bool on_riser = slides_on_riser(result);
+    const double least = std::min(result.factor_of_safety, result.factor_on_riser);
+    const bool stands = least >= 1;
+    // The toe of a mass that fails abruptly has failed at a factor that is not known.
+    const bool open = stands && result.limit == LimitState::abrupt;
+    HeadCard head{open ? AnswerTone::open : stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
+    if (on_riser) {
+        head.sentences.push_back(factor_in_words(least) + ", on a single riser" + (stands ? ": stands." : ": fails."));
     }
-    const bool stands = result.factor_of_safety >= 1;
-    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
-    head.sentences = {factor_in_words(result.factor_of_safety) + (stands ? ": stands." : ": fails."),
-                      value_in_words(result.failed_area, Dimension::area) + " move, along a surface that comes out " +
-                          value_in_words(result.retreat, Dimension::length) + " behind the crest."};
+    if (result.surface.empty()) {
+        head.sentences.emplace_back(result.limit == LimitState::holds_at_any_strength
+                                        ? "No surface along the joints moves, even without strength."
+                                        : "A surface along the joints moves whatever the strength.");
+        return head;
+    }
+    const std::string factor = factor_in_words(result.factor_of_safety);
+    head.sentences.push_back(on_riser ? "Along the surface that is searched for: " + factor + "."
+                             : open   ? factor + " for the mass as a whole; its toe alone fails before."
+                                      : factor + (stands ? ": stands." : ": fails."));
+    head.sentences.push_back(value_in_words(result.failed_area, Dimension::area) +
+                             " move, along a surface that comes out " +
+                             value_in_words(result.retreat, Dimension::length) + " behind the crest.");
     if (result.column_count == 1) {
         head.sentences.emplace_back(result.toppling_count == 1 ? "1 column topples." : "1 column slides.");
     } else if (result.column_count > 1) {

@@ -58,7 +58,7 @@ inline std::vector<LatticePath> all_column_paths(const PathLattice& lattice) {
     for (std::size_t column = 0; column < lattice.cells.size(); ++column) {
         for (std::size_t level = 0; level < lattice.levels; ++level) {
             if (lattice.cells[column][level].exists && lattice.cells[column][level].at_face) {
-                grow({column + 1, {level}, {}});
+                grow({column + 1, {level}});
             }
         }
     }
@@ -69,16 +69,18 @@ inline std::vector<LatticePath> all_sliding_paths(const PathLattice& lattice) {
     std::vector<LatticePath> paths;
     const std::function<void(LatticePath)> grow = [&](const LatticePath& path) {
         const std::size_t last = path.first + path.level.size() - 1;
-        if (lattice.retreat(lattice.riser_outcrop[last]) >= lattice.least_width) {
+        if (lattice.is_far_enough(lattice.riser_outcrop[last])) {
             paths.push_back(path);
         }
-        for (std::size_t level = path.level.back();
-             last + 1 < lattice.riser_node.size() && level < lattice.levels && lattice.riser_node[last][level];
+        for (std::size_t level = path.level.back(); level < lattice.levels && lattice.riser_node[last][level];
              ++level) {
-            if (lattice.riser_node[last + 1][level]) {
-                LatticePath longer = path;
-                longer.level.push_back(level);
+            LatticePath longer = path;
+            longer.level.push_back(level);
+            if (last + 1 < lattice.riser_node.size() && lattice.riser_node[last + 1][level]) {
                 grow(longer);
+            } else if (lattice.step_outcrop[level]) {
+                longer.ends_on_step = true;
+                paths.push_back(longer);
             }
         }
     };
@@ -86,11 +88,25 @@ inline std::vector<LatticePath> all_sliding_paths(const PathLattice& lattice) {
         for (std::size_t level = 0; level < lattice.levels; ++level) {
             // Steps from the face to a riser end at the first one that bounds a mass wide enough.
             if (lattice.riser_node[riser][level] && !(riser > 0 && lattice.riser_node[riser - 1][level])) {
-                grow({riser, {level}, {}});
+                grow({riser, {level}});
             }
         }
     }
+    for (std::size_t level = 0; level < lattice.levels; ++level) {
+        const bool meets_riser =
+            std::ranges::any_of(lattice.riser_node, [&](const auto& nodes) { return nodes[level].has_value(); });
+        if (lattice.step_outcrop[level] && !meets_riser) {
+            paths.push_back({0, {level}, true, {}});
+        }
+    }
     return paths;
+}
+
+// The point of each part of a sliding surface that lies deepest in the slope.
+inline Point deepest_of_sliding(const PathLattice& lattice, const LatticePath& path, std::size_t index) {
+    const bool comes_out = path.ends_on_step && index + 1 == path.level.size();
+    const std::size_t level = path.level[index];
+    return comes_out ? *lattice.step_outcrop[level] : *lattice.riser_node[path.first + index][level];
 }
 
 inline double least_of_all(const SteppedPath& problem, const PathLattice& lattice,

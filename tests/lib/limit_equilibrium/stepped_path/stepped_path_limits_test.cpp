@@ -1,9 +1,11 @@
 // Stepped surfaces at the limits of water, of what is searched and of what there is to find.
 #include "limit_equilibrium/stepped_path/stepped_path.hpp"
+#include "plane_failure/plane_failure.hpp"
 #include "tests/lib/limit_equilibrium/stepped_path/west_face.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace delabole {
@@ -65,6 +67,77 @@ TEST(SteppedPath, ExtentCountsWhereTheNextJointComesOut) {
             EXPECT_EQ(analyse(path).extent, PathExtent::greatest) << dip << ' ' << share;
         }
     }
+}
+
+SteppedPath slope_with_risers(double face_dip, double height, const PathSteps& steps, const PathRisers& risers) {
+    SteppedPath path{};
+    path.search.mechanism = SteppedPathMechanism::sliding;
+    path.slope = {height, face_dip, 0, std::nullopt, std::nullopt};
+    path.steps = steps;
+    path.risers = risers;
+    path.rock = {26e3};
+    path.water = Dry{};
+    return path;
+}
+
+// The factor of a plane through the toe without a crack.
+double factor_of_plane(const SteppedPath& path, double dip, const Coulomb<>& strength) {
+    PlaneFailure<> plane{};
+    plane.slope = path.slope;
+    plane.failure_plane = {dip, std::nullopt};
+    plane.rock = path.rock;
+    plane.strength = strength;
+    plane.water = Dry{};
+    return analyse(plane).factor_of_safety;
+}
+
+// Risers that come out in the face, in front of the crest, bound the steps as those behind it do. The factor
+// of the surface found was computed from its polygon, with the water's pressure integrated numerically; without those
+// risers the least factor is 1.108.
+TEST(SteppedPath, RisersInFrontOfTheCrestCount) {
+    SteppedPath path = slope_with_risers(degrees(42.636866679054286), 60,
+                                         {degrees(6.633452068812284), 9.633539296304061, degrees(15.199846), 7159.35},
+                                         {degrees(79.02384049897009), 4.0071455738108295, degrees(8.775577), 0});
+    path.slope.upper_surface_dip = degrees(4.09092950032365);
+    path.water = WaterTable<>{9.81e3, WaterDepth<>{29.91252840503225}};
+    const SteppedPathResult result = analyse(path);
+    EXPECT_NEAR(result.factor_of_safety, 0.7846033, 1e-7);  // error of that integration
+    const auto in_front = [&](const Point& point) { return point.x() < 60 / std::tan(path.slope.face_dip) / 2; };
+    EXPECT_GT(std::ranges::count_if(result.surface, in_front), 2) << "risers and the foot";
+}
+
+TEST(SteppedPath, AStepThatComesOutBehindTheCrestIsAPlaneFailure) {
+    SteppedPath path =
+        slope_with_risers(degrees(80), 60, {degrees(40), 5, degrees(38), 10e3}, {degrees(85), 38, degrees(35), 0});
+    path.search.greatest_retreat = 200;
+    path.rock_bridges = RockBridges{1, 0.7, 1e6, degrees(45), 1e6};  // risers are too strong to open
+    const SteppedPathResult result = analyse(path);
+    EXPECT_NEAR(result.factor_of_safety, factor_of_plane(path, degrees(40), Coulomb<>{10e3, degrees(38)}), 1e-12);
+    EXPECT_NEAR(result.retreat, 60 / std::tan(degrees(40)) - 60 / std::tan(degrees(80)), 1e-9);
+    EXPECT_NEAR(result.lower_angle, degrees(40), 1e-12);
+    EXPECT_NEAR(result.upper_angle, degrees(40), 1e-12);
+    EXPECT_EQ(result.lower_steps, 0);
+    EXPECT_EQ(result.lower_roughness, 0);
+    path.risers->spacing = 1e3;  // none meets the step
+    path.search.least_width = 5;
+    EXPECT_NEAR(analyse(path).factor_of_safety, result.factor_of_safety, 1e-12);
+}
+
+TEST(SteppedPath, WhatSlidesOnASingleRiserHasAFactorOfItsOwn) {
+    SteppedPath path =
+        slope_with_risers(degrees(85), 60, {degrees(10), 3, degrees(38), 0}, {degrees(60), 5, degrees(30), 0});
+    const SteppedPathResult result = analyse(path);
+    EXPECT_GT(result.factor_of_safety, 4);
+    EXPECT_NEAR(result.factor_on_riser, std::tan(degrees(30)) / std::tan(degrees(60)), 1e-12);
+    path.search.mechanism = SteppedPathMechanism::slide_head_toppling;
+    path.columns = PathColumns{degrees(-70), 5, degrees(30)};
+    EXPECT_NEAR(analyse(path).factor_on_riser, result.factor_on_riser, 1e-12);
+    // A riser through the toe.
+    path.risers = PathRisers{degrees(60), 60 * (std::cos(degrees(60)) - std::sin(degrees(60)) / std::tan(degrees(85))),
+                             degrees(30), 50e3};
+    EXPECT_NEAR(analyse(path).factor_on_riser, factor_of_plane(path, degrees(60), Coulomb<>{50e3, degrees(30)}), 1e-9);
+    path.risers->dip = degrees(86);
+    EXPECT_TRUE(std::isinf(analyse(path).factor_on_riser)) << "steeper than the face";
 }
 
 }  // namespace

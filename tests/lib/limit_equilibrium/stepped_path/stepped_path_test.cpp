@@ -48,8 +48,15 @@ TEST(SteppedPath, NoSurfaceOfColumnsIsWeakerThanTheOneFound) {
 TEST(SteppedPath, NoSlidingSurfaceIsWeakerThanTheOneFound) {
     std::mt19937 random(20);
     int found = 0;
+    int in_front = 0;
+    int on_steps = 0;
     for (int count = 0; count < 400; ++count) {
-        const SteppedPath problem = random_path(random, SteppedPathMechanism::sliding);
+        SteppedPath problem = random_path(random, SteppedPathMechanism::sliding);
+        if (count % 4 == 0) {  // steep steps that come out behind the crest, and risers too strong to open
+            problem.steps.dip += degrees(20);
+            problem.search.greatest_retreat = 60;
+            problem.rock_bridges = RockBridges{0.9, 0.5, 500e3, degrees(40), 1e6};
+        }
         const PathLattice lattice(problem);
         if (lattice.check != SteppedPathCheck::valid) {
             continue;
@@ -58,12 +65,16 @@ TEST(SteppedPath, NoSlidingSurfaceIsWeakerThanTheOneFound) {
         const double least = least_of_all(problem, lattice, all_sliding_paths(lattice));
         if (std::isfinite(least) && least > 0) {
             ++found;
+            in_front += lattice.riser_outcrop[critical.path.first].x() < lattice.crest.x() ? 1 : 0;
+            on_steps += critical.path.ends_on_step ? 1 : 0;
             EXPECT_NEAR(critical.factor_of_safety, least, 1e-9 * least) << count;
         } else {
             EXPECT_EQ(critical.factor_of_safety, least) << count;
         }
     }
     EXPECT_GT(found, 150);
+    EXPECT_GT(in_front, 30) << "begin at a riser in front of the crest";
+    EXPECT_GT(on_steps, 20) << "end on a step";
 }
 
 // Compares with every surface of the same joints without the massive rock that stays above its boundary.
@@ -96,9 +107,8 @@ TEST(SteppedPath, OverMassiveRockTheWeakestSurfaceOfThoseAboveIsFound) {
         std::vector<LatticePath> paths = slides ? all_sliding_paths(whole) : all_column_paths(whole);
         std::erase_if(paths, [&](const LatticePath& path) {
             for (std::size_t index = 0; index < path.level.size(); ++index) {
-                const std::size_t place = path.first + index;
-                const Point deepest = slides ? *whole.riser_node[place][path.level[index]]
-                                             : whole.cells[place - 1][path.level[index]].base_to;
+                const Point deepest = slides ? deepest_of_sliding(whole, path, index)
+                                             : whole.cells[path.first + index - 1][path.level[index]].base_to;
                 if (!above(deepest)) {
                     return true;
                 }
@@ -447,11 +457,13 @@ TEST(SteppedPath, ExtremesHaveAnAnswerOrAReason) {
             PathColumns{degrees(between(-90, -30)), height * std::pow(10, between(-1.5, 1)), degrees(between(0, 89.9))};
         path.rock = {std::pow(10, between(2, 5))};
         path.water = WaterTable<>{9.81e3, WaterDepth<>{height * between(0, 2)}};
-        const SteppedPathResult result = analyse(path);
+        SteppedPathResult result = analyse(path);
         if (result.check != SteppedPathCheck::valid) {
             continue;
         }
         EXPECT_FALSE(std::isnan(result.factor_of_safety)) << count;
+        EXPECT_GE(result.factor_on_riser, 0) << count;
+        result.factor_on_riser = 0;  // may be infinite
         EXPECT_GE(result.factor_of_safety, 0) << count;
         EXPECT_LT(result.searches, 100) << count;
         if (!result.surface.empty()) {
