@@ -12,6 +12,7 @@
 // magnitudes of their terms.
 #pragma once
 
+#include "plane_failure/bolts_in_ground.hpp"
 #include "plane_failure/water_force.hpp"
 #include "strength/shear_strength.hpp"
 
@@ -102,7 +103,9 @@ void for_each_bolt(const PlaneFailure<T>& problem, const Wedge<T>& wedge, Visit&
         for (int row = 0; T(row) < support.pattern.rows; ++row) {
             const T height = support.pattern.head_height(row);
             const T through = detail::length_in_mass(wedge, height, support.pattern.plunge);
-            visit(Bolt<T>{force_of_row(support.pattern, through), support.pattern.plunge, height, support.action});
+            const T in_ground = length_in_ground(problem.slope, height, support.pattern.plunge);
+            visit(Bolt<T>{force_of_row(support.pattern, through, in_ground), support.pattern.plunge, height,
+                          support.action});
         }
     }
 }

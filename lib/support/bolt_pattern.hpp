@@ -6,7 +6,8 @@
 //     bond strength (length - l)            by which the grout behind the surface holds it (pullout),
 //     plate capacity + bond strength l      by which plate and grout in front of it hold the rock (stripping),
 // l being the length from the head to the surface; a bolt without grout is anchored at its end and has its full
-// capacity wherever that end is in stable rock. The force divided by the spacing along the slope is the force per metre
+// capacity wherever that end is in stable rock. What lies behind the point at which the bolt comes out of the ground
+// holds nothing. The force divided by the spacing along the slope is the force per metre
 // run that limit equilibrium uses (Hoek & Bray 1981; Wyllie & Mah 2004, 7.4 and 12.4; the force diagram is that of
 // grouted bolts in common slope programs).
 //
@@ -77,14 +78,17 @@ T force_of_bolt(const T& capacity, const std::optional<Grout<T>>& grout, const T
     return force;
 }
 
-// Force, N/m, of a row whose bolts have that length in the moving rock; nothing if they do not cross its surface, for
-// which the length is negative.
+// Force, N/m, of a row whose bolts have that length in the moving rock, and come out of the ground behind the crest
+// after a length `in_ground`, infinite if they do not. Nothing if they do not cross the sliding surface, for which the
+// first length is negative, if they come out of the ground before it, or, without grout, if they end in the air.
 template <class T>
-T force_of_row(const BoltPattern<T>& pattern, const T& length_in_moving_rock) {
-    if (!(length_in_moving_rock >= 0) || !(pattern.length - length_in_moving_rock > 0)) {
+T force_of_row(const BoltPattern<T>& pattern, const T& length_in_moving_rock, const T& in_ground) {
+    const bool ends_in_air = in_ground < pattern.length;
+    const T& length = ends_in_air ? in_ground : pattern.length;
+    if (!(length_in_moving_rock >= 0) || !(length - length_in_moving_rock > 0) || (ends_in_air && !pattern.grout)) {
         return T(0);
     }
-    return T(force_of_bolt(pattern.capacity, pattern.grout, pattern.length, length_in_moving_rock) / pattern.spacing);
+    return T(force_of_bolt(pattern.capacity, pattern.grout, length, length_in_moving_rock) / pattern.spacing);
 }
 
 // One row on a given slope.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "limit_equilibrium/columns/slide_head.hpp"
+#include "plane_failure/bolts_in_ground.hpp"
 #include "support/bolt_pattern.hpp"
 
 #include <cmath>
@@ -121,7 +122,7 @@ std::optional<ColumnBoltRow<T>> bolt_row(const BoltPattern<T>& pattern, int row,
             break;
         }
     }
-    found.force = force_of_row(pattern, found.length_in_columns);
+    found.force = force_of_row(pattern, found.length_in_columns, length_in_ground(slope, height, pattern.plunge));
     return found;
 }
 

@@ -86,6 +86,36 @@ TEST(BoltPattern, CrossesTheCrackAboveThePlane) {
     EXPECT_EQ(analyse(slope).check, PlaneFailureCheck::bolt_head_above_crest);
 }
 
+// Behind the crest the ground falls: bolts above it hold nothing, nor do ends that come out of it.
+TEST(BoltPattern, HoldsNothingInTheAir) {
+    PlaneFailure<> slope = road_cut();
+    slope.slope.upper_surface_dip = degrees(-20);
+    const auto force_of = [&](const BoltPattern<>& pattern) {
+        slope.support = {{pattern, BoltAction::active}};
+        return support_rows(slope).front().front().force;
+    };
+    EXPECT_EQ(force_of({1, 11.9, 1, 1, 10, degrees(10), 200e3, {}}), 0) << "it meets the crack's line above the ground";
+    slope.tension_crack.reset();
+    slope.slope.upper_surface_dip = degrees(-30);
+    // A level bolt from height h comes out of the ground where that has fallen to h.
+    const double height = 8;
+    const double through = height / std::tan(degrees(35)) - height / std::tan(degrees(60));
+    const double in_ground = (12 - height) / std::tan(degrees(60)) + (12 - height) / std::tan(degrees(30));
+    for (const double margin : {-1e-9, 1e-9}) {
+        EXPECT_EQ(force_of({1, height, 1, 1, in_ground + margin, 0, 200e3, {}}), margin < 0 ? 200e3 : 0);
+    }
+    const double bond = 40e3;
+    EXPECT_NEAR(force_of({1, height, 1, 1, 30, 0, 200e3, Grout<>{bond, 1e6}}), bond * (in_ground - through),
+                1e-9 * bond);
+    // Above a level bench two metres wide a bolt that rises by 20 deg comes out of the ground behind it.
+    slope.slope.bench = Bench<>{2, 0};
+    slope.slope.upper_surface_dip = degrees(10);
+    const double to_bench = (12 - 11.5) / std::sin(degrees(20));
+    EXPECT_NEAR(length_in_ground(slope.slope, 11.5, degrees(-20)), to_bench, 1e-12 * to_bench);
+    EXPECT_TRUE(std::isinf(length_in_ground(slope.slope, 8.0, degrees(-9))));
+    EXPECT_TRUE(std::isinf(length_in_ground(slope.slope, 8.0, degrees(90))));
+}
+
 TEST(BoltPattern, HasExactDerivatives) {
     PlaneFailure<> slope = road_cut();
     slope.support = {{{3, 2, 2, 2, 8, degrees(10), 500e3, Grout<>{40e3, 50e3}}, BoltAction::active}};
