@@ -6,11 +6,15 @@
 #include "jointed_slope/jointed_section.hpp"
 #include "jointed_slope/placed_set.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace delabole {
@@ -74,24 +78,34 @@ struct CuttingWork {
     std::map<std::string, CutSet, std::less<>> set = {};
     std::vector<MeshIndex> gouge = {};   // rocks that may be thin
     std::vector<std::size_t> rank = {};  // of joints, by strength
+    // Joints of which one runs along the other, the lesser index first.
+    std::set<std::pair<std::size_t, std::size_t>> along_each_other = {};
 
     // Rock between joints is stronger than they.
     std::size_t rank_of(MeshIndex joint) const { return joint < rank.size() ? rank[joint] : no_index; }
-    // Whether an edge runs along a line whose joint is weaker than its own.
-    bool is_stronger_along(MeshIndex edge, const StraightLine& straight, MeshIndex joint) const {
+    bool runs_along(MeshIndex edge, const StraightLine& straight) const {
         const PlanePoint<> along = mesh.end(edge) - mesh.start(edge);
-        return mesh.edge(edge).face != no_index && rank_of(joint) < rank_of(mesh.joint_at(edge)) &&
-               std::abs(straight.distance(mesh.start(edge))) <= snap &&
+        return mesh.edge(edge).face != no_index && std::abs(straight.distance(mesh.start(edge))) <= snap &&
                std::abs(straight.distance(mesh.end(edge))) <= snap &&
                std::abs(straight.along.dot(along)) > along.norm() / 2;
+    }
+    // Whether an edge runs along a line whose joint is weaker than its own.
+    bool is_stronger_along(MeshIndex edge, const StraightLine& straight, MeshIndex joint) const {
+        return rank_of(joint) < rank_of(mesh.joint_at(edge)) && runs_along(edge, straight);
     }
     // Gives such an edge the line's joint; returns whether it has. `allowed(first, last)`: as in cut_face.
     template <class Allowed>
     bool weaken(MeshIndex edge, const StraightLine& straight, MeshIndex joint, Allowed&& allowed) {
         const double one = straight.place(mesh.start(edge));
         const double other = straight.place(mesh.end(edge));
-        const bool weaker =
-            is_stronger_along(edge, straight, joint) && allowed(std::min(one, other), std::max(one, other));
+        const MeshIndex own = mesh.joint_at(edge);
+        if (own == joint || !runs_along(edge, straight) || !allowed(std::min(one, other), std::max(one, other))) {
+            return false;
+        }
+        if (own < rank.size()) {
+            along_each_other.insert(std::minmax<std::size_t>(own, joint));
+        }
+        const bool weaker = rank_of(joint) < rank_of(own);
         if (weaker) {
             mesh.set_joint(edge, joint);
         }

@@ -234,6 +234,7 @@ JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::s
     section.typical_area = typical_area(work);
     merge_slivers(work, geometry.sliver_share.value_or(SlopeGeometry::standard_sliver_share), section);
     collect(work, section);
+    section.along_each_other = std::move(work.along_each_other);
     return section;
 }
 

@@ -17,7 +17,9 @@
 #include "jointed_slope/slope_geometry.hpp"
 
 #include <cstddef>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace delabole {
@@ -86,6 +88,8 @@ struct JointedSection {
     double crushed_area = 0;          // m2, of the slivers taken away
     double snap_distance = 0;         // m
     double typical_area = 0;          // m2, median of the blocks
+    // Joints of which one runs along the other, the lesser index first.
+    std::set<std::pair<std::size_t, std::size_t>> along_each_other = {};
 };
 
 // `rocks` and `joints` are the names to whose indices blocks refer; there is at least one of each. The whole section is

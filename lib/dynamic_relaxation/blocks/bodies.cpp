@@ -110,4 +110,29 @@ void Motion::set_large_angle(double value) {
     versine = 2 * half * half;
 }
 
+JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
+                            std::size_t other_edge) {
+    const JointMaterial& one = scene.material[bodies.material[edge]];
+    const JointMaterial& two = scene.material[bodies.material[other_edge]];
+    if (&one == &two) {
+        return one;
+    }
+    const auto strength = [](const JointMaterial& joint) { return std::pair(joint.friction_angle, joint.cohesion); };
+    const auto residual = [](const JointMaterial& joint) {
+        return joint.residual_friction_angle.value_or(joint.friction_angle);
+    };
+    JointMaterial joint = strength(one) < strength(two) ? one : two;
+    joint.friction_angle = std::min(one.friction_angle, two.friction_angle);
+    if (const double least = std::min(residual(one), residual(two)); least < joint.friction_angle) {
+        joint.residual_friction_angle = least;
+    }
+    joint.cohesion = std::min(one.cohesion, two.cohesion);
+    joint.residual_cohesion = std::min(one.residual_cohesion, two.residual_cohesion);
+    joint.tensile_strength = std::min(one.tensile_strength, two.tensile_strength);
+    if (!one.bond || !two.bond) {
+        joint.bond.reset();
+    }
+    return joint;
+}
+
 }  // namespace delabole

@@ -133,16 +133,10 @@ inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>
     return bodies.centroid[block] + PlanePoint<>(moved.x, moved.y) + moved.turned(bodies.corner[corner]);
 }
 
-// Index of the governing joint among the scene's materials: of two edges that lie on each other, the joint of the one
-// with less friction, or with less cohesion if both have the same friction.
-inline std::size_t weaker_joint(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
-                                std::size_t other_edge) {
-    const std::size_t one = bodies.material[edge];
-    const std::size_t two = bodies.material[other_edge];
-    const auto strength = [&](std::size_t joint) {
-        return std::pair(scene.material[joint].friction_angle, scene.material[joint].cohesion);
-    };
-    return strength(one) < strength(two) ? one : two;
-}
+// The joint between two edges that lie on each other. Both have to hold, so that it has the lesser of their friction,
+// of their cohesion and of their tensile strength, and is bonded where both are; the rest is that of the edge with less
+// friction, or with less cohesion if both have the same.
+JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
+                            std::size_t other_edge);
 
 }  // namespace delabole

@@ -33,8 +33,8 @@ FaceStiffness greater_of(const FaceStiffness& one, const FaceStiffness& other) {
         std::max(one.shear_dashpot, other.shear_dashpot),         std::max(one.bending_dashpot, other.bending_dashpot)};
 }
 
-const JointMaterial& joint_of(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& face) {
-    return scene.material[weaker_joint(scene, bodies, face.edge, face.other_edge)];
+JointMaterial joint_of(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& face) {
+    return joint_between(scene, bodies, face.edge, face.other_edge);
 }
 
 Bond make_bond(const SharedFace& face, const BondMaterial& material, const JointMaterial& joint, const Bodies& bodies,
@@ -68,12 +68,12 @@ SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const 
     double begin = -part.length / 2;
     double end = part.length / 2;
     double length = part.length;
+    const JointMaterial joint = joint_of(scene, bodies, part);
     const auto blocks = [](const SharedFace& face) { return BlockPair(face.block, face.other); };
     for (auto at = std::ranges::lower_bound(faces, blocks(part), {}, blocks);
          at != faces.end() && blocks(*at) == blocks(part); ++at) {
         const SharedFace& face = *at;
-        if ((face.edge != part.edge || face.other_edge != part.other_edge) &&
-            &joint_of(scene, bodies, face) == &joint_of(scene, bodies, part)) {
+        if ((face.edge != part.edge || face.other_edge != part.other_edge) && joint_of(scene, bodies, face) == joint) {
             const double middle = part.along.dot(face.other_arm - part.other_arm);
             begin = std::min(begin, middle - face.length / 2);
             end = std::max(end, middle + face.length / 2);
@@ -184,7 +184,7 @@ std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies,
     for (const FaceBond& bond : scene.bond) {
         const std::optional<SharedFace> face = shared_face(bodies, bodies.range[bond.block].begin + bond.edge,
                                                            bodies.range[bond.other].begin + bond.other_edge);
-        const JointMaterial& joint = joint_of(scene, bodies, *face);
+        const JointMaterial joint = joint_of(scene, bodies, *face);
         bonds.push_back(bond.material
                             ? make_bond(*face, scene.bond_material[*bond.material], joint, bodies, viscous_damping)
                             : make_joint_bond(whole_face(scene, bodies, faces, *face), joint, bodies, viscous_damping));
@@ -200,22 +200,19 @@ std::vector<FaceBond> find_bonds(const RelaxationScene& scene) {
     }
     const Bodies bodies = make_bodies(scene);
     BlockPair pair(0, 0);
-    std::vector<const JointMaterial*> spread;  // joints with a bond of the whole face of this pair
+    std::vector<JointMaterial> spread;  // joints with a bond of the whole face of this pair
     for (const SharedFace& face : find_shared_faces(bodies)) {
         if (pair != BlockPair(face.block, face.other)) {
             pair = BlockPair(face.block, face.other);
             spread.clear();
         }
-        const JointMaterial& one = scene.material[bodies.material[face.edge]];
-        const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
-        const JointMaterial& joint = joint_of(scene, bodies, face);
-        const bool rock = one.bond && two.bond;
-        const bool known = std::ranges::find(spread, &joint) != spread.end();
-        if (rock || (has_strength_to_lose(joint) && !known)) {
+        const JointMaterial joint = joint_of(scene, bodies, face);
+        const bool known = std::ranges::find(spread, joint) != spread.end();
+        if (joint.bond || (has_strength_to_lose(joint) && !known)) {
             bonds.push_back({face.block, face.edge - bodies.range[face.block].begin, face.other,
-                             face.other_edge - bodies.range[face.other].begin, rock ? joint.bond : std::nullopt});
-            if (!rock) {
-                spread.push_back(&joint);
+                             face.other_edge - bodies.range[face.other].begin, joint.bond});
+            if (!joint.bond) {
+                spread.push_back(joint);
             }
         }
     }

@@ -372,23 +372,26 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     law.start_weight = std::max(next, previous) > lean ? 0.5 : -0.5;
     law.end_weight = -std::min(next, previous) > lean ? 0.5 : -0.5;
     law.inverse_blend = 1 / (2 * (blend_length * shortest_));
-    std::size_t weaker = weaker_joint(scene_, bodies_, block.begin + face, other.begin + edge);
+    JointMaterial joint = joint_between(scene_, bodies_, block.begin + face, other.begin + edge);
+    const std::array material{bodies_.material[block.begin + face], bodies_.material[other.begin + edge]};
+    law.friction = std::min(friction_[material[0]], friction_[material[1]]);
+    law.residual_friction = std::min(residual_friction_[material[0]], residual_friction_[material[1]]);
     if (beyond && shared(face) < at_tip * shortest_) {
         // Joints cross here at so small an angle that they are one face. Blocks on opposite sides of both meet in this
         // point alone, and slide along the weaker joint.
         for (const std::size_t there : {block.begin + corner, block.begin + block.before(corner), *beyond}) {
-            const std::size_t material = bodies_.material[there];
-            weaker = friction_[material] < friction_[weaker] ? material : weaker;
+            if (const std::size_t weaker = bodies_.material[there]; friction_[weaker] < law.friction) {
+                joint = scene_.material[weaker];
+                law.friction = friction_[weaker];
+                law.residual_friction = residual_friction_[weaker];
+            }
         }
     }
-    const JointMaterial& joint = scene_.material[weaker];
     law.normal_stiffness = joint.normal_stiffness;
     law.shear_stiffness = joint.shear_stiffness;
     const double effective_mass = 1 / (bodies_.inverse_mass[block.block] + bodies_.inverse_mass[other.block]);
     law.normal_dashpot = 2 * viscous_damping_ * std::sqrt(effective_mass * joint.normal_stiffness);
     law.shear_dashpot = 2 * viscous_damping_ * std::sqrt(effective_mass * joint.shear_stiffness);
-    law.friction = friction_[weaker];
-    law.residual_friction = residual_friction_[weaker];
     if (joint.cohesion != 0) {
         const double half_shared = shared(face) / 2;
         law.cohesion = joint.cohesion * half_shared;

@@ -160,7 +160,7 @@ struct RelaxationPolygon {
     }
 };
 
-// Any convex blocks. Two faces in contact have the properties of the joint with less friction.
+// Any convex blocks. Two faces in contact have the lesser friction, cohesion and tensile strength of their joints.
 struct RelaxationPolygons {
     double tilt;
     std::vector<RelaxationJoint> joint;

@@ -33,6 +33,8 @@ struct JointMaterial {
     std::optional<std::size_t> bond = {};
     // Pa, the part of the cohesion that is not lost, at most all of it: then the joint is perfectly plastic in shear.
     double residual_cohesion = 0;
+
+    bool operator==(const JointMaterial&) const = default;
 };
 
 // Intact rock, until it breaks, across faces of two blocks that lie on each other in the initial geometry (bonds.hpp).
@@ -77,7 +79,7 @@ struct RelaxationBlock {
     std::vector<std::size_t> joint = {};  // material of each edge, edge n from vertex n to n + 1; empty: material 0
 };
 
-// Two faces in contact have the properties of the one with less friction.
+// Two faces in contact have the lesser strength of both (joint_between in blocks/bodies.hpp).
 
 // Gravity is acceleration (-sin tilt, -cos tilt): the frame of the scene is that of a base that dips towards -x by
 // `tilt`.

@@ -32,10 +32,29 @@ std::optional<std::size_t> index_of(const std::vector<std::string>& names, const
     return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
-// For each joint, how many are weaker: of two, the one with less friction, or else with less cohesion.
-std::vector<std::size_t> ranks_of(const std::vector<SlopeJoint>& joints) {
-    const auto strength = [](const SlopeJoint& joint) {
-        return std::pair(joint.strength.friction_angle, joint.strength.cohesion.value_or(0));
+// For each joint, how many are weaker: of two, the one with less shear strength, the rock that bonds it included, under
+// half the weight of rock as high as the outline, or else with less tensile strength.
+std::vector<std::size_t> ranks_of(const RelaxationSlope& slope) {
+    const std::vector<SlopeJoint>& joints = slope.joint;
+    double density = 0;
+    for (const SlopeRock& rock : slope.rock) {
+        density = std::max(density, rock.density);
+    }
+    Eigen::AlignedBox2d bounds;
+    for (const SectionPoint& corner : slope.geometry.outline) {
+        bounds.extend(PlanePoint<>(corner.x, corner.y));
+    }
+    const double pressure =
+        density * RelaxationScene{}.gravity.acceleration * (bounds.isEmpty() ? 0 : bounds.sizes().y()) / 2;
+    const auto strength = [&](const SlopeJoint& joint) {
+        const RelaxationJoint& own = joint.strength;
+        double shear = own.cohesion.value_or(0) + pressure * std::tan(own.friction_angle);
+        double tension = own.tensile_strength.value_or(0);
+        if (own.bond) {
+            shear = std::max(shear, own.bond->cohesion + pressure * std::tan(own.bond->friction_angle));
+            tension = std::max(tension, own.bond->tensile_strength);
+        }
+        return std::pair(shear, tension);
     };
     std::vector<std::size_t> ranks;
     for (const SlopeJoint& joint : joints) {
@@ -76,7 +95,7 @@ const JointedSection& section_of(const SlopeGeometry& geometry, const std::vecto
 class SlopeSceneMaker {
   public:
     explicit SlopeSceneMaker(const RelaxationSlope& slope)
-        : slope_(slope), joints_(names_of(slope.joint)), rocks_(names_of(slope.rock)), rank_(ranks_of(slope.joint)) {}
+        : slope_(slope), joints_(names_of(slope.joint)), rocks_(names_of(slope.rock)), rank_(ranks_of(slope)) {}
 
     SlopeScene make() {
         scene_.section = section_of(slope_.geometry, rocks_, joints_, rank_);
@@ -201,6 +220,9 @@ class SlopeSceneMaker {
         }
         const MeshIndex along = block.joint_along[edge];
         const std::size_t frame = *frame_joint_;
+        if (along < rank_.size() && along != frame) {
+            section().along_each_other.insert(std::minmax<std::size_t>(along, frame));
+        }
         return along != free_surface && rank_[along] < rank_[frame] ? along : static_cast<MeshIndex>(frame);
     }
 

@@ -61,7 +61,7 @@ StrengthsLeft strengths_left(const BlocksUnderLoad& blocks, const JointHistory& 
 FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, const JointHistory* history,
                          const StrengthsLeft& left) {
     const RelaxationScene& scene = blocks.scene;
-    const JointMaterial& joint = scene.material[weaker_joint(scene, blocks.bodies, face.edge, face.other_edge)];
+    const JointMaterial joint = joint_between(scene, blocks.bodies, face.edge, face.other_edge);
     FaceStrength strength{joint.friction_angle, joint.cohesion, joint.tensile_strength};
     if (const auto found = left.find(std::minmax<std::size_t>(face.block, face.other)); found != left.end()) {
         const StrengthLeft& of_pair = found->second;
@@ -73,8 +73,10 @@ FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, 
     }
     for (std::size_t index = 0; index < scene.bond.size(); ++index) {
         const FaceBond& bond = scene.bond[index];
-        const bool here = bond.block == face.block && bond.other == face.other;
-        const bool there = bond.block == face.other && bond.other == face.block;
+        const std::size_t edge = blocks.bodies.range[bond.block].begin + bond.edge;
+        const std::size_t other_edge = blocks.bodies.range[bond.other].begin + bond.other_edge;
+        const bool here = edge == face.edge && other_edge == face.other_edge;
+        const bool there = edge == face.other_edge && other_edge == face.edge;
         const bool whole = history == nullptr || history->bond[index].state == BondState::whole;
         if (bond.material && whole && (here || there)) {
             const BondMaterial& rock = scene.bond_material[*bond.material];
@@ -83,7 +85,7 @@ FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, 
             strength.tensile_strength = std::max(strength.tensile_strength, rock.tensile_strength);
         }
     }
-    if (const double friction = std::tan(strength.friction_angle); history != nullptr && friction > 0) {
+    if (const double friction = std::tan(strength.friction_angle); friction > 0) {
         strength.tensile_strength = std::min(strength.tensile_strength, strength.cohesion / friction);
         strength.cohesion -= strength.tensile_strength * friction;
         strength.cohesion = std::max(0.0, strength.cohesion);  // less by rounding

@@ -184,6 +184,33 @@ Table block_table(const RelaxationRun& made) {
     return table;
 }
 
+void append_warnings_of_joints_along_joints(const RelaxationSlope& slope, const JointedSection& section,
+                                            const std::optional<CriticalPlan>& plan, Analysis& analysis) {
+    const auto at_least = [](const RelaxationJoint& one, const RelaxationJoint& other) {
+        return one.friction_angle >= other.friction_angle && one.cohesion.value_or(0) >= other.cohesion.value_or(0) &&
+               one.tensile_strength.value_or(0) >= other.tensile_strength.value_or(0) && (one.bond || !other.bond);
+    };
+    const auto is_reduced = [&](const SlopeJoint& joint) {
+        return plan && std::ranges::find(plan->joint, joint.name) != plan->joint.end();
+    };
+    for (const auto& [one, other] : section.along_each_other) {
+        const std::array joint{&slope.joint[one], &slope.joint[other]};
+        const std::string names = joint[0]->name + " and " + joint[1]->name;
+        if (!at_least(joint[0]->strength, joint[1]->strength) && !at_least(joint[1]->strength, joint[0]->strength)) {
+            analysis.warnings.push_back(
+                "the joints " + names +
+                " run along each other, and neither is the weaker one in friction, cohesion, tensile strength and "
+                "bond: the one with less shear strength halfway down the slope counts, elsewhere the other may be the "
+                "weaker; a joint with the lesser values in place of both is on the safe side");
+        }
+        if (is_reduced(*joint[0]) != is_reduced(*joint[1])) {
+            analysis.warnings.push_back("the joints " + names +
+                                        " run along each other, and critical.joints names one of them: the one that "
+                                        "is weaker before the reduction counts at all factors; name both");
+        }
+    }
+}
+
 }  // namespace
 
 std::string length_in_words(double length) {
@@ -298,7 +325,8 @@ Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
 
 }  // namespace
 
-void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& made, Analysis& analysis) {
+void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& made,
+                             const std::optional<CriticalPlan>& plan, Analysis& analysis) {
     const JointedSection& section = made.section;
     if (made.beside_frame > 0) {
         analysis.warnings.push_back(value_in_words(made.beside_frame, Dimension::length) +
@@ -321,6 +349,7 @@ void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& mad
                                         ", which holds there like intact rock");
         }
     }
+    append_warnings_of_joints_along_joints(slope, section, plan, analysis);
     if (section.outline_reversed) {
         analysis.warnings.emplace_back("scene.outline runs clockwise and was turned round");
     }

@@ -50,7 +50,8 @@ void append_failure_figure(const RelaxationRun& failed, const std::string& title
 Figure mechanism_figure(const RelaxationRun& made, const std::string& title);
 
 // Warns of cuts that divided nothing and of intact rock that had to be divided.
-void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& made, Analysis& analysis);
+void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& made,
+                             const std::optional<CriticalPlan>& plan, Analysis& analysis);
 
 // Figure of the blocks shaded by rock with the water table, and the table of cuts.
 void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made, const Sheet& sheet);

@@ -160,7 +160,7 @@ void append_warning_of_open_joints(const RelaxationScene& scene, Analysis& analy
     double widest = 0;
     std::pair<std::size_t, std::size_t> blocks;
     for (const SharedFace& face : find_shared_faces(bodies, narrow)) {
-        const JointMaterial& joint = scene.material[weaker_joint(scene, bodies, face.edge, face.other_edge)];
+        const JointMaterial joint = joint_between(scene, bodies, face.edge, face.other_edge);
         const auto [at_start, at_end] = opening_in_drawing(bodies, face);
         const double opening = std::max(at_start, at_end);
         if ((joint.cohesion == 0 && joint.tensile_strength == 0) ||
@@ -186,17 +186,19 @@ void append_warning_of_unlike_faces(const RelaxationScene& scene, Analysis& anal
     const Bodies bodies = make_bodies(scene);
     const std::vector<SharedFace> faces = find_shared_faces(bodies);
     const auto is_unlike = [&](const SharedFace& face) {
-        const std::size_t weaker = weaker_joint(scene, bodies, face.edge, face.other_edge);
-        const JointMaterial& counts = scene.material[weaker];
-        const JointMaterial& other =
-            scene.material[bodies.material[weaker == bodies.material[face.edge] ? face.other_edge : face.edge]];
-        return counts.cohesion > other.cohesion || counts.tensile_strength > other.tensile_strength;
+        const JointMaterial& one = scene.material[bodies.material[face.edge]];
+        const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
+        const auto at_least = [](const JointMaterial& joint, const JointMaterial& other) {
+            return joint.friction_angle >= other.friction_angle && joint.cohesion >= other.cohesion &&
+                   joint.tensile_strength >= other.tensile_strength;
+        };
+        return !at_least(one, two) && !at_least(two, one);
     };
     if (const auto first = std::ranges::find_if(faces, is_unlike); first != faces.end()) {
         analysis.warnings.push_back("the joints of the faces at which " + block_name(first->block) + " and " +
                                     block_name(first->other) +
-                                    " touch differ: the one with less friction counts, although it has more cohesion "
-                                    "or tensile strength than the other");
+                                    " touch differ, and neither is the weaker one in friction, cohesion and tensile "
+                                    "strength: the lesser value of each counts, which is on the safe side");
     }
 }
 
@@ -414,7 +416,7 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
         }
     }
     if (answer.slope) {
-        append_cutting_warnings(std::get<RelaxationSlope>(study.model.scene), *answer.slope, analysis);
+        append_cutting_warnings(std::get<RelaxationSlope>(study.model.scene), *answer.slope, answer.plan, analysis);
     }
     const auto leave_unfinished = [&](std::string_view status, std::string why) {
         if (analysis.unfinished.empty() && !why.empty()) {
