@@ -207,6 +207,32 @@ TEST(JointStrength, IsSpreadWhereItCanBeLost) {
     EXPECT_FALSE(find_bonds(scene)[0].material);
 }
 
+TEST(JointStrength, OfTwoFacesTheLesserOfEachStrengthCounts) {
+    RelaxationScene scene = relaxation_scenes::scene_of(OnPlane{});
+    JointMaterial one = joint(1e9, degrees(28));
+    one.cohesion = 1e6;
+    one.residual_cohesion = 2e5;
+    one.tensile_strength = 1e5;
+    one.bond = 0;
+    JointMaterial other = joint(2e9, degrees(30));
+    other.residual_friction_angle = degrees(25);
+    other.cohesion = 3e5;
+    other.residual_cohesion = 3e5;
+    scene.material = {one, other};
+    scene.block[1].joint = {1, 1, 1, 1};
+    const Bodies bodies = make_bodies(scene);
+    const JointMaterial both = joint_between(scene, bodies, bodies.range[0].begin, bodies.range[1].begin + 2);
+    EXPECT_EQ(both, joint_between(scene, bodies, bodies.range[1].begin + 2, bodies.range[0].begin));
+    EXPECT_EQ(both.normal_stiffness, 1e9);
+    EXPECT_EQ(both.friction_angle, degrees(28));
+    EXPECT_EQ(both.residual_friction_angle, degrees(25));
+    EXPECT_EQ(both.cohesion, 3e5);
+    EXPECT_EQ(both.residual_cohesion, 2e5);
+    EXPECT_EQ(both.tensile_strength, 0);
+    EXPECT_FALSE(both.bond);
+    EXPECT_EQ(joint_between(scene, bodies, bodies.range[0].begin, bodies.range[0].begin), one);
+}
+
 // Squares that hold together by their joints alone, and fall apart on a slope.
 RelaxationScene weak_wall(std::size_t columns, std::size_t rows, double tension) {
     RelaxationScene scene;

@@ -1,4 +1,5 @@
 // Factors of safety of slopes whose weakest joint, or whose motion, is easily missed.
+#include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/study/failed_at_rest.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
@@ -179,6 +180,32 @@ TEST(WeakestJoint, AWeakPlaneAlongTheFrameCounts) {
     EXPECT_NEAR(factor({plane("strong", 0, 0), plane("weak", 0, 0)}, 1e6), expected, within_bracket);
 }
 
+// Beside the weak plane lies a joint with as much friction or less, which a bond or cohesion makes stronger.
+TEST(WeakestJoint, AnOpenJointCountsBesideOneThatIsBonded) {
+    const double expected = std::tan(degrees(20)) / std::tan(degrees(35));
+    RelaxationJoint bonded{};
+    bonded.friction_angle = degrees(20);
+    bonded.bond = BondMaterial{20e9, 8e9, 2e6, 3e6, degrees(40)};
+    RelaxationJoint less_friction = bonded;
+    less_friction.friction_angle = degrees(15);
+    RelaxationJoint cohesive{};
+    cohesive.friction_angle = degrees(15);
+    cohesive.cohesion = 1e6;
+    for (const RelaxationJoint& other : {bonded, less_friction, cohesive}) {
+        for (const bool first : {true, false}) {
+            const SlopeCut open = plane("weak", 35, 1);
+            const SlopeCut beside = plane("other", 35, 1);
+            RelaxationStudy study = two_joints(first ? std::vector{beside, open} : std::vector{open, beside});
+            auto& slope = std::get<RelaxationSlope>(study.model.scene);
+            slope.joint.push_back(SlopeJoint{"other", {}, other});
+            EXPECT_NEAR(find_critical(study).value(), expected, within_bracket) << first;
+            const auto along = slope_scene(slope).section.along_each_other;
+            ASSERT_EQ(along.size(), 1U) << first;
+            EXPECT_EQ(*along.begin(), std::pair(std::size_t{1}, std::size_t{2}));
+        }
+    }
+}
+
 // Rock behind a bench is divided from its corner, at 50.7 deg to the right, where the side is free. A weak plane 2 cm
 // above that division leaves a sliver, which is no reason to lose the plane.
 TEST(WeakestJoint, AWeakPlaneIsNotLostBesideADivisionOfIntactRock) {
@@ -350,6 +377,46 @@ TEST(WeakestJoint, ARecordOfShakingActsAtEachStrength) {
     for (const PathValue& other : find_critical(study).other) {
         EXPECT_NE(other.path, LoadingPath::consolidated);
     }
+}
+
+// A joint shears at cohesion + N tan(friction), N not below the tension; the bound counted that sum from the greatest
+// tension on. With 1 MPa of tensile strength it was 7.18 instead of 2.45.
+TEST(WeakestJoint, TheBoundOfStaticsHoldsNoMoreShearByTension) {
+    using namespace relaxation_scenes;
+    const OnPlane plane{.height_to_width = 0.25, .width = 4, .friction = degrees(30), .tilt = degrees(40)};
+    RelaxationScene scene = relaxation_scenes::scene_of(plane);
+    scene.material[0].cohesion = 30e3;
+    const double driving = plane.weight() * std::sin(plane.tilt);
+    const double expected =
+        (30e3 * plane.width + plane.weight() * std::cos(plane.tilt) * std::tan(plane.friction)) / driving;
+    for (const double tension : {0.0, 1e4, 1e6}) {
+        scene.material[0].tensile_strength = tension;
+        scene.bond = find_bonds(scene);
+        EXPECT_NEAR(*greatest_strength_reduction(scene), expected, 1e-6 * expected) << tension;  // of the programme
+    }
+}
+
+// Half of the base is open. The bound gave the whole of it the rock's strength, a factor of 2.93.
+TEST(WeakestJoint, TheBoundOfStaticsBondsNoOpenFace) {
+    using namespace relaxation_scenes;
+    const OnPlane plane{.height_to_width = 0.25, .width = 4, .friction = degrees(20), .tilt = degrees(40)};
+    RelaxationScene scene = relaxation_scenes::scene_of(plane);
+    scene.material.push_back(scene.material[0]);
+    scene.material[1].bond = 0;
+    scene.bond_material = {{20e9, 8e9, 10e3, 30e3, degrees(40)}};
+    scene.block[0].outline.insert(scene.block[0].outline.begin() + 1, PlanePoint<>(2, 0));
+    scene.block[0].joint = {0, 1, 0, 0, 0};
+    scene.block[1].joint = {1, 1, 1, 1};
+    scene.bond = find_bonds(scene);
+    ASSERT_EQ(scene.bond.size(), 1U);
+    const double driving = plane.weight() * std::sin(plane.tilt);
+    const double normal = plane.weight() * std::cos(plane.tilt);
+    // All of the weight on the bonded half, and on the open half, of which none bears more.
+    const double most = (30e3 * 2 + normal * std::tan(degrees(40))) / driving;
+    const double least = normal * std::tan(degrees(20)) / driving;
+    const double bound = *greatest_strength_reduction(scene);
+    EXPECT_LT(bound, most);
+    EXPECT_GT(bound, least);
 }
 
 }  // namespace
