@@ -125,6 +125,7 @@ struct FacePressure {
     double at_first;                    // Pa, at least 0; where the part begins
     double at_second;                   // Pa, at least 0; where it ends
     std::optional<EdgePart> part = {};  // loaded part; unset: the whole edge
+    bool drains = false;                // goes with a block that is taken away from the face
 };
 
 struct TimedVector {

@@ -271,7 +271,7 @@ class SlopeSceneMaker {
             if (from.depth > 0 || to.depth > 0) {
                 const bool whole = depths.size() == 2;
                 scene_.pressure.push_back({scene_.block.size(), edge, unit_weight * from.depth, unit_weight * to.depth,
-                                           whole ? std::nullopt : std::optional(EdgePart{from.place, to.place})});
+                                           whole ? std::nullopt : std::optional(EdgePart{from.place, to.place}), true});
             }
         }
     }

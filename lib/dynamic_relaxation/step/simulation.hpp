@@ -93,6 +93,8 @@ class Simulation {
     bool solve_under(double load_share, bool first, std::span<const HeldByBolt> bolts,
                      const StaticSolveSettings& limits);
     void account_for_springs_of_removed(std::size_t block);
+    // Drains the faces that blocks taken away have uncovered.
+    void drain_excavations();
     // `why`: taken_away or has_left.
     void take_away(std::size_t block, char why);
     void let_blocks_leave();

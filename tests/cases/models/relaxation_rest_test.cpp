@@ -247,6 +247,47 @@ TEST(RelaxationRest, AFactorAboveOneDoesNotStandWhereTheBlocksFailAsGiven) {
     EXPECT_TRUE(fails.sentences.back().starts_with("With the strength and loads as given: collapsed"));
 }
 
+// A buttress below the water table is dug away. The rock behind it, about 538 kN/m of resistance against 600 of driving
+// force, slides; while the water of the joint went on pressing on the face that it left, it stood.
+TEST(RelaxationRest, AnExcavationIsDry) {
+    const std::string text = R"(schema = 1
+model = "relaxation"
+[scene]
+kind = "jointed_slope"
+outline = [{ x = "0 m", y = "0 m" }, { x = "30 m", y = "0 m" }, { x = "30 m", y = "15 m" }, { x = "14 m", y = "15 m" }, { x = "14 m", y = "10.5 m" }, { x = "0 m", y = "10.5 m" }]
+intact_joint = "base"
+sliver_share = 0
+rock = [{ name = "rock", density = "2600 kg/m3" }]
+joint = [{ name = "plane", friction_angle = "18 deg" }, { name = "base", friction_angle = "40 deg" }]
+frame = { sides = "below_and_behind", thickness = "2 m", joint = "base" }
+[[scene.cut]]
+name = "plane"
+joint = "plane"
+trace = { kind = "line", vertex = [{ x = "-1 m", y = "5 m" }, { x = "8 m", y = "5 m" }, { x = "22 m", y = "9 m" }] }
+[[scene.cut]]
+name = "crack"
+joint = "base"
+trace = { kind = "line", vertex = [{ x = "22 m", y = "9 m" }, { x = "22 m", y = "16 m" }] }
+[[scene.cut]]
+name = "front"
+joint = "base"
+trace = { kind = "line", vertex = [{ x = "8 m", y = "4.9 m" }, { x = "8 m", y = "11 m" }] }
+[scene.water]
+unit_weight = "9.81 kN/m3"
+vertex = [{ x = "0 m", y = "5 m" }, { x = "7 m", y = "10 m" }, { x = "30 m", y = "10 m" }]
+[[scene.stage]]
+time = "0.1 s"
+vertex = [{ x = "-1 m", y = "5 m" }, { x = "7.99 m", y = "5 m" }, { x = "7.99 m", y = "11 m" }, { x = "-1 m", y = "11 m" }]
+[settings]
+stop = "onset"
+)";
+    const auto ends = [](std::string_view of) {
+        return std::get<std::string>(output_at_rest(analysis_of_text(of), "outcome"));
+    };
+    EXPECT_EQ(ends(text), "onset");
+    EXPECT_EQ(ends(changed(text, "18 deg", "22 deg")), "equilibrium");
+}
+
 // A stage takes away what stands in front of a block on a plane. The block's tip then stands in the corner of plane and
 // floor, and its factor is tan(30 deg) / tan(dip). It was 1.242 as long as statics was not asked after stages.
 TEST(RelaxationRest, StaticsIsAskedAfterExcavation) {
