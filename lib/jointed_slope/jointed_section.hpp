@@ -87,7 +87,7 @@ struct JointedSection {
     std::size_t intact_edges = 0;     // left between blocks of the same rock
     double crushed_area = 0;          // m2, of the slivers taken away
     double snap_distance = 0;         // m
-    double typical_area = 0;          // m2, median of the blocks
+    double typical_area = 0;          // m2, median of the blocks, at most a thirtieth of all of them
     // Joints of which one runs along the other, the lesser index first.
     std::set<std::pair<std::size_t, std::size_t>> along_each_other = {};
 };

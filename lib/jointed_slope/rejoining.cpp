@@ -10,7 +10,7 @@ namespace delabole {
 namespace {
 
 // A sliver that cannot be merged is taken away as crushed if joints alone bound it and it is below both limits, which
-// are shares of the median block's area and size. Blocks that rested on so small a sliver still rest on others. If it
+// are shares of the typical block's area and size. Blocks that rested on so small a sliver still rest on others. If it
 // were kept, it would slip out by itself before the slope fails.
 constexpr double greatest_crushed_share = SlopeGeometry::standard_sliver_share;
 constexpr double greatest_crushed_length = 0.5;
@@ -146,11 +146,15 @@ void rejoin_intact(SectionMesh& mesh) {
     }
 }
 
+// The median of few blocks tells little: besides the blocks that a case is about there are large ones below and behind.
 double typical_area(const CuttingWork& work) {
+    constexpr double few_blocks = 30;
     std::vector<double> areas;
+    double all = 0;
     for (MeshIndex face = 0; face < work.mesh.face_count(); ++face) {
         if (work.mesh.alive(face) && !is_gouge(work, face)) {
             areas.push_back(area_properties(work.mesh.outline_of(face)).area);
+            all += areas.back();
         }
     }
     if (areas.empty()) {
@@ -158,7 +162,7 @@ double typical_area(const CuttingWork& work) {
     }
     const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
     std::nth_element(areas.begin(), middle, areas.end());
-    return *middle;
+    return std::min(*middle, all / few_blocks);
 }
 
 void merge_slivers(CuttingWork& work, double share, JointedSection& section) {

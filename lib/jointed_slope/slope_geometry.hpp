@@ -136,9 +136,9 @@ struct SlopeGeometry {
             absent_is(standard_sliver_share,
                       number<&G::sliver_share>(
                           right_open(0, 1),
-                          "of the median block's area, or of its size in width: less is a sliver, merged where that "
-                          "leaves a convex block and locks no joint, else taken away where it is below the share that "
-                          "holds without this key")),
+                          "of the median block's area, at most a thirtieth of the section, or of the size of such a "
+                          "block in width: less is a sliver, merged where that leaves a convex block and locks no "
+                          "joint, else taken away where it is below the share that holds without this key")),
             section<&G::outline>("corners of the section, either way round"),
             section<&G::cut>("joints, faults and boundaries in the order of cutting")};
     }

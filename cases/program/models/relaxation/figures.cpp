@@ -374,7 +374,7 @@ void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made,
     const Folded cutting{
         "How the section was cut",
         {cut_table(slope, section),
-         Paragraph{"Slivers below the stated share of the median block, " +
+         Paragraph{"Slivers below the stated share of a typical block, " +
                    value_in_words(section.typical_area, Dimension::area) + ": " +
                    std::to_string(section.slivers_merged) + " merged, " + std::to_string(section.slivers_crushed) +
                    " taken away as crushed (" + value_in_words(section.crushed_area, Dimension::area) +

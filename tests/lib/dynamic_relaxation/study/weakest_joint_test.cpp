@@ -180,6 +180,16 @@ TEST(WeakestJoint, AWeakPlaneAlongTheFrameCounts) {
     EXPECT_NEAR(factor({plane("strong", 0, 0), plane("weak", 0, 0)}, 1e6), expected, within_bracket);
 }
 
+// A wedge of 3 m2 at the crest of a slope of 30 m, on a plane of 60 deg; the other two blocks have 830 m2 each.
+TEST(WeakestJoint, AWedgeBesideFewLargeBlocksIsNoSliver) {
+    RelaxationStudy study = two_joints({{"flat", "strong", testing::line({{-5, 15}, {65, 15}})},
+                                        {"steep", "weak", testing::line({{4.5843, 26}, {6.8937, 30}})}});
+    auto& slope = std::get<RelaxationSlope>(study.model.scene);
+    slope.geometry.outline = {{0, 0}, {60, 0}, {60, 30}, {5.29, 30}};
+    slope.geometry.intact_joint.reset();
+    EXPECT_NEAR(find_critical(study).value(), std::tan(degrees(20)) / std::tan(degrees(60)), within_bracket);
+}
+
 // Beside the weak plane lies a joint with as much friction or less, which a bond or cohesion makes stronger.
 TEST(WeakestJoint, AnOpenJointCountsBesideOneThatIsBonded) {
     const double expected = std::tan(degrees(20)) / std::tan(degrees(35));
