@@ -39,6 +39,9 @@ class Simulation {
     Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from,
                const std::atomic<bool>* stop = nullptr);
 
+    // What comes from now on does not end early.
+    void let_finish() { stop_ = nullptr; }
+
     void step();
     bool running() const { return outcome() == RelaxationOutcome::undecided && !out_of_time(); }
 

@@ -269,19 +269,28 @@ class PathSearch {
             return on;
         };
         std::optional<SearchRun> made = needed == Needed::verdict ? ahead_.take(value, waits) : std::nullopt;
+        bool kept = false;
         if (!made) {
-            made =
-                run_at(value, needed, std::exchange(progress_.probe_state, {}), nullptr, [&](Simulation& simulation) {
-                    const auto keep = [&] {
-                        progress_.probe_state = simulation.state();
-                        work_.keep(whole_);
-                        progress_.probe_state.reset();
-                    };
-                    return go_on(simulation, work_, goes_on, keep, [] {});
-                });
+            const std::atomic<bool>* stop = progress_.probe_state ? nullptr : work_.stop;
+            made = run_at(value, needed, std::exchange(progress_.probe_state, {}), stop, [&](Simulation& simulation) {
+                if (stop != nullptr && *stop) {
+                    return false;
+                }
+                simulation.let_finish();
+                const auto keep = [&] {
+                    progress_.probe_state = simulation.state();
+                    work_.keep(whole_);
+                    progress_.probe_state.reset();
+                    kept = true;
+                };
+                return go_on(simulation, work_, goes_on, keep, [] {});
+            });
         }
         const CriticalProbe& probe = made->probe;
         if (probe.outcome == RelaxationOutcome::interrupted) {
+            if (!kept) {
+                waits();
+            }
             return probe;
         }
         if (probe.without_run || shows_failure(probe.outcome)) {

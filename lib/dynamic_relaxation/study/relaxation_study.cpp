@@ -47,8 +47,8 @@ bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bo
 namespace {
 
 Simulation begun_or_resumed(const RelaxationScene& scene, const RelaxationSettings& settings,
-                            std::optional<RelaxationState> state) {
-    return state ? Simulation(scene, settings, std::move(*state)) : Simulation(scene, settings);
+                            std::optional<RelaxationState> state, const std::atomic<bool>* stop) {
+    return state ? Simulation(scene, settings, std::move(*state)) : Simulation(scene, settings, stop);
 }
 
 bool ends_with_duration(const RelaxationStudy& study) {
@@ -215,7 +215,14 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
         return made;
     }
     const bool is_slope = std::holds_alternative<RelaxationSlope>(study.model.scene);
-    Simulation simulation = begun_or_resumed(made.scene, made.settings, std::exchange(progress.state, {}));
+    const bool resumed = progress.state.has_value();
+    Simulation simulation = begun_or_resumed(made.scene, made.settings, std::exchange(progress.state, {}), work.stop);
+    if (!resumed && work.stop != nullptr && *work.stop) {
+        made = ended_at(study, simulation);
+        made.result.outcome = RelaxationOutcome::interrupted;
+        return made;
+    }
+    simulation.let_finish();
     const bool ended = go_on(
         simulation, work, [&](double share) { return !work.watch || work.watch(share); },
         [&] {

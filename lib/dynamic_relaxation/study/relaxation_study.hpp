@@ -13,6 +13,7 @@
 #include "parameters/model_interface.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -233,7 +234,8 @@ struct StudyWork {
     RelaxationWatch watch = {};
     KeepFrames frames = KeepFrames::no;
     unsigned threads = 1;
-    std::function<bool()> keep_due = {};  // called after each call of the watch
+    const std::atomic<bool>* stop = nullptr;  // ends a static start, which calls no watch; may be null
+    std::function<bool()> keep_due = {};      // called after each call of the watch
     std::function<void(const StudyProgress&)> keep = {};
 };
 

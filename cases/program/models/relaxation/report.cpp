@@ -363,9 +363,8 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
     const std::size_t blocks = answer.slope ? answer.slope->block.size() : number_of_blocks(study);
     const double of_first = study.ensemble ? 1 / study.ensemble->runs : 1;
     const double share = of_first * (study.critical ? share_of_run : 1);
-    StudyWork how;
+    StudyWork how{.threads = work.threads, .stop = &interrupt_flag()};
     how.frames = blocks <= most_drawn_blocks && !study.retrogression ? KeepFrames::yes : KeepFrames::no;
-    how.threads = work.threads;
     Keeper keeper(work, study, how.frames);
     const bool to_its_end = study.settings.value_or(RelaxationNumerics{}).watch.has_value();
     how.watch = [&](double done) { return keeper.goes_on(share * done, "dynamic relaxation", !to_its_end); };
