@@ -20,8 +20,8 @@ struct JointWater {
 // face. There are two for each pair of edges: a straight face may have corners. Empty where the blocks share no face.
 std::vector<FacePressure> pressures_of(const JointWater& water, const Bodies& bodies);
 
-// Pressures without those that drain and lie on faces that blocks which stay share with blocks that are `gone`. `faces`:
-// of the initial geometry.
+// Pressures without those that drain and lie on faces that blocks which stay share with blocks that are `gone`.
+// `faces`: of the initial geometry.
 std::vector<FacePressure> drained(const std::vector<FacePressure>& pressures, const Bodies& bodies,
                                   const std::vector<SharedFace>& faces, const std::vector<char>& gone);
 

@@ -39,8 +39,8 @@ struct SlopeFrame {
 };
 
 // Pressure grows with depth below the table in every joint in proportion to its share, and on surfaces below it. Beyond
-// its ends the table is level. A joint keeps its pressure however it moves. Excavations are dry: where a stage takes away
-// the block on one side of a joint, the face on the other side is drained.
+// its ends the table is level. A joint keeps its pressure however it moves. Excavations are dry: where a stage takes
+// away the block on one side of a joint, the face on the other side is drained.
 struct SlopeWater {
     double unit_weight;
     std::vector<SectionPoint> vertex;

@@ -85,6 +85,7 @@ FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, 
             strength.tensile_strength = std::max(strength.tensile_strength, rock.tensile_strength);
         }
     }
+    // The programme's faces shear at cohesion + (N + tensile strength) tan(friction).
     if (const double friction = std::tan(strength.friction_angle); friction > 0) {
         strength.tensile_strength = std::min(strength.tensile_strength, strength.cohesion / friction);
         strength.cohesion -= strength.tensile_strength * friction;

@@ -67,10 +67,9 @@ std::vector<Motion> motion_of_blocks(const LeastImbalance& found, const FaceAsse
     return motion;
 }
 
-// Whether the assembly stands with its strength divided by `reduction`. Returns nothing if the linear programme has no
-// answer.
-std::optional<bool> stands(const Assembly& assembly, double reduction = 1) {
-    const LeastImbalance found = least_imbalance(assembly, 1 / reduction);
+// Whether the assembly stands. Returns nothing if the linear programme has no answer.
+std::optional<bool> stands(const Assembly& assembly) {
+    const LeastImbalance found = least_imbalance(assembly);
     return found.status == LpStatus::optimal ? std::optional(found.stands()) : std::nullopt;
 }
 
@@ -101,13 +100,13 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
     const Bodies bodies = make_bodies(scene);
     const std::vector<char> removed = all_removed(scene);
     const std::vector<SharedFace> faces = find_shared_faces(bodies, closed_joint, removed);
-    const Assembly assembly = assembly_of(scene, bodies, faces, removed, true).assembly;
     constexpr double most = 1e6;  // blocks that stand with less strength stand without
     constexpr double accuracy = 1e-6;
     double standing = 0;
     double failing = infinity;
     for (double factor = 1; failing > (1 + accuracy) * standing;) {
-        const std::optional<bool> holds = stands(assembly, factor);
+        const RelaxationScene reduced = with_multiplied_strength(scene, 1 / factor);
+        const std::optional<bool> holds = stands(assembly_of(reduced, bodies, faces, removed, true).assembly);
         if (!holds || (stop != nullptr && *stop)) {
             return std::nullopt;
         }

@@ -337,14 +337,14 @@ LpBound largest_load_factor(const Assembly& assembly, const std::vector<BodyLoad
     return solve(assembly, scales_of(assembly), {loads}, 1);
 }
 
-LeastImbalance least_imbalance(const Assembly& assembly, double strength) {
+LeastImbalance least_imbalance(const Assembly& assembly) {
     if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
         return {LpStatus::invalid_assembly, check, 0, {}};
     }
     const SolverEnvironment environment;
     const Scales scales = scales_of(assembly);
     const Sought nothing{std::vector<BodyLoad>(assembly.bodies.size()), Sense::least, 0, 0};
-    return Programme(assembly, scales, nothing, strength).least_imbalance();
+    return Programme(assembly, scales, nothing, 1).least_imbalance();
 }
 
 }  // namespace delabole

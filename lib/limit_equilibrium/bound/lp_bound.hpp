@@ -104,10 +104,9 @@ struct LeastImbalance {
     bool stands() const { return sum <= 1e-7; }
 };
 
-// Whether the assembly stands under its own weights and loads with all strength multiplied by `strength`, as in
-// least_strength_factor. This takes a small part of the time of a bound, because the interior-point method also solves
-// problems in which forces exist for any load: 0.03 s for 200 bodies, 0.3 s for 1500. Bodies lighter than 1e-7 of the
-// mean weight have no noticeable effect.
-LeastImbalance least_imbalance(const Assembly& assembly, double strength = 1);
+// Whether the assembly stands under its own weights and loads. This takes a small part of the time of a bound, because
+// the interior-point method also solves problems in which forces exist for any load: 0.03 s for 200 bodies, 0.3 s for
+// 1500. Bodies lighter than 1e-7 of the mean weight have no noticeable effect.
+LeastImbalance least_imbalance(const Assembly& assembly);
 
 }  // namespace delabole
