@@ -102,7 +102,8 @@ struct CuttingWork {
         if (own == joint || !runs_along(edge, straight) || !allowed(std::min(one, other), std::max(one, other))) {
             return false;
         }
-        if (own < rank.size()) {
+        constexpr double long_enough = 10;  // snap distances: shorter edges have no direction
+        if (own < rank.size() && (mesh.end(edge) - mesh.start(edge)).norm() > long_enough * snap) {
             along_each_other.insert(std::minmax<std::size_t>(own, joint));
         }
         const bool weaker = rank_of(joint) < rank_of(own);

@@ -110,14 +110,10 @@ void Motion::set_large_angle(double value) {
     versine = 2 * half * half;
 }
 
-JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
-                            std::size_t other_edge) {
-    const JointMaterial& one = scene.material[bodies.material[edge]];
-    const JointMaterial& two = scene.material[bodies.material[other_edge]];
-    if (&one == &two) {
-        return one;
-    }
-    const auto strength = [](const JointMaterial& joint) { return std::pair(joint.friction_angle, joint.cohesion); };
+JointMaterial lesser_of(const JointMaterial& one, const JointMaterial& two) {
+    const auto strength = [](const JointMaterial& joint) {
+        return std::tuple(joint.friction_angle, joint.cohesion, joint.normal_stiffness, joint.shear_stiffness);
+    };
     const auto residual = [](const JointMaterial& joint) {
         return joint.residual_friction_angle.value_or(joint.friction_angle);
     };
@@ -133,6 +129,13 @@ JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, 
         joint.bond.reset();
     }
     return joint;
+}
+
+JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
+                            std::size_t other_edge) {
+    const std::size_t one = bodies.material[edge];
+    const std::size_t two = bodies.material[other_edge];
+    return one == two ? scene.material[one] : lesser_of(scene.material[one], scene.material[two]);
 }
 
 }  // namespace delabole

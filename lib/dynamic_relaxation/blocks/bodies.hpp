@@ -133,9 +133,11 @@ inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>
     return bodies.centroid[block] + PlanePoint<>(moved.x, moved.y) + moved.turned(bodies.corner[corner]);
 }
 
-// The joint between two edges that lie on each other. Both have to hold, so that it has the lesser of their friction,
-// of their cohesion and of their tensile strength, and is bonded where both are; the rest is that of the edge with less
-// friction, or with less cohesion if both have the same.
+// Two joints of which both have to hold: the lesser of their friction, of their cohesion and of their tensile strength,
+// bonded where both are; the rest is that of the one with less friction, or with less cohesion if both have the same.
+JointMaterial lesser_of(const JointMaterial& one, const JointMaterial& two);
+
+// The joint between two edges that lie on each other.
 JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
                             std::size_t other_edge);
 

@@ -47,49 +47,4 @@ std::vector<FacePressure> pressures_of(const JointWater& water, const Bodies& bo
     return pressures;
 }
 
-std::vector<FacePressure> drained(const std::vector<FacePressure>& pressures, const Bodies& bodies,
-                                  const std::vector<SharedFace>& faces, const std::vector<char>& gone) {
-    std::vector<FacePressure> left = pressures;
-    const auto drain = [&](std::size_t block, std::size_t edge, const PlanePoint<>& middle, double length) {
-        const CornerRange& range = bodies.range[block];
-        const PlanePoint<>& first = bodies.corner[edge];
-        const PlanePoint<> along = (bodies.corner[range.after(edge)] - first).normalized();
-        const double whole = (bodies.corner[range.after(edge)] - first).norm();
-        const double begin = along.dot(middle - first) - length / 2;
-        const double end = begin + length;
-        std::vector<FacePressure> kept;
-        for (const FacePressure& pressure : left) {
-            if (!pressure.drains || pressure.block != block || range.begin + pressure.edge != edge) {
-                kept.push_back(pressure);
-                continue;
-            }
-            const EdgePart part = pressure.part.value_or(EdgePart{0, whole});
-            const auto keep = [&](double from, double to) {
-                // A piece that exists only by rounding carries no pressure.
-                if (to - from > 1e-9 * whole) {
-                    const double slope = (pressure.at_second - pressure.at_first) / (part.end - part.begin);
-                    kept.push_back({block, pressure.edge, pressure.at_first + slope * (from - part.begin),
-                                    pressure.at_first + slope * (to - part.begin), EdgePart{from, to},
-                                    pressure.drains});
-                }
-            };
-            if (end <= part.begin || begin >= part.end) {
-                kept.push_back(pressure);
-                continue;
-            }
-            keep(part.begin, std::min(begin, part.end));
-            keep(std::max(end, part.begin), part.end);
-        }
-        left = std::move(kept);
-    };
-    for (const SharedFace& face : faces) {
-        if (gone[face.other] != 0 && gone[face.block] == 0) {
-            drain(face.block, face.edge, face.arm, face.length);
-        } else if (gone[face.block] != 0 && gone[face.other] == 0) {
-            drain(face.other, face.other_edge, face.other_arm, face.length);
-        }
-    }
-    return left;
-}
-
 }  // namespace delabole

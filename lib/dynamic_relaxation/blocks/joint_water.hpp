@@ -2,7 +2,6 @@
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
-#include "dynamic_relaxation/blocks/shared_faces.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -19,10 +18,5 @@ struct JointWater {
 // Pressures on both blocks, equal and opposite along one line in the initial geometry; later each moves with its own
 // face. There are two for each pair of edges: a straight face may have corners. Empty where the blocks share no face.
 std::vector<FacePressure> pressures_of(const JointWater& water, const Bodies& bodies);
-
-// Pressures without those that drain and lie on faces that blocks which stay share with blocks that are `gone`.
-// `faces`: of the initial geometry.
-std::vector<FacePressure> drained(const std::vector<FacePressure>& pressures, const Bodies& bodies,
-                                  const std::vector<SharedFace>& faces, const std::vector<char>& gone);
 
 }  // namespace delabole

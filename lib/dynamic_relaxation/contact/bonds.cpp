@@ -37,6 +37,14 @@ JointMaterial joint_of(const RelaxationScene& scene, const Bodies& bodies, const
     return joint_between(scene, bodies, face.edge, face.other_edge);
 }
 
+// Materials of both sides of a face, the lesser index first.
+using BothJoints = std::pair<std::size_t, std::size_t>;
+
+BothJoints joints_of(const Bodies& bodies, const SharedFace& face) {
+    return std::minmax(static_cast<std::size_t>(bodies.material[face.edge]),
+                       static_cast<std::size_t>(bodies.material[face.other_edge]));
+}
+
 Bond make_bond(const SharedFace& face, const BondMaterial& material, const JointMaterial& joint, const Bodies& bodies,
                double viscous_damping) {
     const double spacing =
@@ -63,17 +71,16 @@ Bond make_bond(const SharedFace& face, const BondMaterial& material, const Joint
 // Convex blocks touch along one line. The face is the whole part of it that the same joint as that of `part` follows,
 // however corners divide it; lengths in between that another joint follows, or that a third block parts, do not count.
 // `faces`: of find_shared_faces, whose blocks have the order of those of find_bonds.
-SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
-                      const SharedFace& part) {
+SharedFace whole_face(const Bodies& bodies, const std::vector<SharedFace>& faces, const SharedFace& part) {
     double begin = -part.length / 2;
     double end = part.length / 2;
     double length = part.length;
-    const JointMaterial joint = joint_of(scene, bodies, part);
     const auto blocks = [](const SharedFace& face) { return BlockPair(face.block, face.other); };
     for (auto at = std::ranges::lower_bound(faces, blocks(part), {}, blocks);
          at != faces.end() && blocks(*at) == blocks(part); ++at) {
         const SharedFace& face = *at;
-        if ((face.edge != part.edge || face.other_edge != part.other_edge) && joint_of(scene, bodies, face) == joint) {
+        if ((face.edge != part.edge || face.other_edge != part.other_edge) &&
+            joints_of(bodies, face) == joints_of(bodies, part)) {
             const double middle = part.along.dot(face.other_arm - part.other_arm);
             begin = std::min(begin, middle - face.length / 2);
             end = std::max(end, middle + face.length / 2);
@@ -187,7 +194,7 @@ std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies,
         const JointMaterial joint = joint_of(scene, bodies, *face);
         bonds.push_back(bond.material
                             ? make_bond(*face, scene.bond_material[*bond.material], joint, bodies, viscous_damping)
-                            : make_joint_bond(whole_face(scene, bodies, faces, *face), joint, bodies, viscous_damping));
+                            : make_joint_bond(whole_face(bodies, faces, *face), joint, bodies, viscous_damping));
     }
     return bonds;
 }
@@ -200,19 +207,19 @@ std::vector<FaceBond> find_bonds(const RelaxationScene& scene) {
     }
     const Bodies bodies = make_bodies(scene);
     BlockPair pair(0, 0);
-    std::vector<JointMaterial> spread;  // joints with a bond of the whole face of this pair
+    std::vector<BothJoints> spread;  // joints with a bond of the whole face of this pair
     for (const SharedFace& face : find_shared_faces(bodies)) {
         if (pair != BlockPair(face.block, face.other)) {
             pair = BlockPair(face.block, face.other);
             spread.clear();
         }
         const JointMaterial joint = joint_of(scene, bodies, face);
-        const bool known = std::ranges::find(spread, joint) != spread.end();
+        const bool known = std::ranges::find(spread, joints_of(bodies, face)) != spread.end();
         if (joint.bond || (has_strength_to_lose(joint) && !known)) {
             bonds.push_back({face.block, face.edge - bodies.range[face.block].begin, face.other,
                              face.other_edge - bodies.range[face.other].begin, joint.bond});
             if (!joint.bond) {
-                spread.push_back(joint);
+                spread.push_back(joints_of(bodies, face));
             }
         }
     }

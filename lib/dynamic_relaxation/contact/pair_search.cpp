@@ -378,13 +378,12 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     law.residual_friction = std::min(residual_friction_[material[0]], residual_friction_[material[1]]);
     if (beyond && shared(face) < at_tip * shortest_) {
         // Joints cross here at so small an angle that they are one face. Blocks on opposite sides of both meet in this
-        // point alone, and slide along the weaker joint.
+        // point alone, and have the lesser strength of all.
         for (const std::size_t there : {block.begin + corner, block.begin + block.before(corner), *beyond}) {
-            if (const std::size_t weaker = bodies_.material[there]; friction_[weaker] < law.friction) {
-                joint = scene_.material[weaker];
-                law.friction = friction_[weaker];
-                law.residual_friction = residual_friction_[weaker];
-            }
+            const std::size_t crossing = bodies_.material[there];
+            joint = lesser_of(joint, scene_.material[crossing]);
+            law.friction = std::min(law.friction, friction_[crossing]);
+            law.residual_friction = std::min(law.residual_friction, residual_friction_[crossing]);
         }
     }
     law.normal_stiffness = joint.normal_stiffness;

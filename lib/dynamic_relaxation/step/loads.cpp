@@ -1,6 +1,8 @@
 #include "dynamic_relaxation/step/loads.hpp"
 
+#include "dynamic_relaxation/blocks/shared_faces.hpp"
 #include "dynamic_relaxation/step/base_friction.hpp"
+#include "dynamic_relaxation/step/state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,8 +76,58 @@ void prescribe(const PrescribedMotion& prescribed, const Bodies& bodies, double 
     motion.vy = velocity.y() + motion.spin * arm.x();
 }
 
-void sum_loads(const RelaxationScene& scene, const RelaxationSettings& settings, const Bodies& bodies, double time,
-               const std::vector<char>& held, const std::vector<Motion>& motion, std::vector<BlockForce>& load) {
+std::vector<FacePressure> pressures_left(const RelaxationScene& scene, const Bodies& bodies,
+                                         const std::vector<char>& removed) {
+    std::vector<FacePressure> left = scene.pressure;
+    const auto is_gone = [&](std::size_t block) { return removed[block] == taken_away; };
+    if (std::ranges::none_of(left, &FacePressure::drains) || std::ranges::find(removed, taken_away) == removed.end()) {
+        return left;
+    }
+    const auto drain = [&](std::size_t block, std::size_t edge, const PlanePoint<>& middle, double length) {
+        const CornerRange& range = bodies.range[block];
+        const PlanePoint<>& first = bodies.corner[edge];
+        const PlanePoint<> along = (bodies.corner[range.after(edge)] - first).normalized();
+        const double whole = (bodies.corner[range.after(edge)] - first).norm();
+        const double begin = along.dot(middle - first) - length / 2;
+        const double end = begin + length;
+        std::vector<FacePressure> kept;
+        for (const FacePressure& pressure : left) {
+            if (!pressure.drains || pressure.block != block || range.begin + pressure.edge != edge) {
+                kept.push_back(pressure);
+                continue;
+            }
+            const EdgePart part = pressure.part.value_or(EdgePart{0, whole});
+            const auto keep = [&](double from, double to) {
+                // A piece that exists only by rounding carries no pressure.
+                if (to - from > 1e-9 * whole) {
+                    const double slope = (pressure.at_second - pressure.at_first) / (part.end - part.begin);
+                    kept.push_back({block, pressure.edge, pressure.at_first + slope * (from - part.begin),
+                                    pressure.at_first + slope * (to - part.begin), EdgePart{from, to},
+                                    pressure.drains});
+                }
+            };
+            if (end <= part.begin || begin >= part.end) {
+                kept.push_back(pressure);
+                continue;
+            }
+            keep(part.begin, std::min(begin, part.end));
+            keep(std::max(end, part.begin), part.end);
+        }
+        left = std::move(kept);
+    };
+    for (const SharedFace& face : find_shared_faces(bodies)) {
+        if (is_gone(face.other) && !is_gone(face.block)) {
+            drain(face.block, face.edge, face.arm, face.length);
+        } else if (is_gone(face.block) && !is_gone(face.other)) {
+            drain(face.other, face.other_edge, face.other_arm, face.length);
+        }
+    }
+    return left;
+}
+
+void sum_loads(const RelaxationScene& scene, const std::vector<FacePressure>& pressures,
+               const RelaxationSettings& settings, const Bodies& bodies, double time, const std::vector<char>& held,
+               const std::vector<Motion>& motion, std::vector<BlockForce>& load) {
     const double ramp =
         settings.start == RelaxationStart::ramped && time < settings.ramp_time ? time / settings.ramp_time : 1;
     const PlanePoint<> gravity = ramp * gravity_at(scene.gravity, time);
@@ -104,7 +156,7 @@ void sum_loads(const RelaxationScene& scene, const RelaxationSettings& settings,
     for (const PointForce& force : scene.force) {
         add(force.block, motion[force.block].turned(force.at - bodies.centroid[force.block]), force.force);
     }
-    for (const FacePressure& pressure : scene.pressure) {
+    for (const FacePressure& pressure : pressures) {
         const FaceForce force = force_of(pressure, bodies, motion[pressure.block]);
         add(pressure.block, force.arm, force.force);
     }

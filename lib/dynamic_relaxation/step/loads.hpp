@@ -26,9 +26,16 @@ FaceForce force_of(const FacePressure& pressure, const Bodies& bodies, const Mot
 // Sets the velocity of a fixed block.
 void prescribe(const PrescribedMotion& prescribed, const Bodies& bodies, double time, Motion& motion);
 
-// Forces on all blocks except those of contacts and bonds; zero for blocks that are held.
-void sum_loads(const RelaxationScene& scene, const RelaxationSettings& settings, const Bodies& bodies, double time,
-               const std::vector<char>& held, const std::vector<Motion>& motion, std::vector<BlockForce>& load);
+// The pressures of a scene without those that drain, on faces that blocks which stay share with blocks that were taken
+// away. `removed`: by block, why it is gone.
+std::vector<FacePressure> pressures_left(const RelaxationScene& scene, const Bodies& bodies,
+                                         const std::vector<char>& removed);
+
+// Forces on all blocks except those of contacts and bonds; zero for blocks that are held. `pressures`: those of the
+// scene that are left.
+void sum_loads(const RelaxationScene& scene, const std::vector<FacePressure>& pressures,
+               const RelaxationSettings& settings, const Bodies& bodies, double time, const std::vector<char>& held,
+               const std::vector<Motion>& motion, std::vector<BlockForce>& load);
 
 // Time, s, after which no scheduled change follows; no equilibrium is final before it.
 double last_scheduled_time(const RelaxationScene& scene, const RelaxationSettings& settings);

@@ -1,6 +1,5 @@
 #include "dynamic_relaxation/step/simulation.hpp"
 
-#include "dynamic_relaxation/blocks/joint_water.hpp"
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 #include "dynamic_relaxation/contact/time_step.hpp"
@@ -105,7 +104,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, const
 
 void Simulation::prepare() {
     bonds_.resume(state_.bond);
-    drain_excavations();
+    pressure_ = pressures_left(scene_, bodies_, state_.removed);
     margin_ = margin_in_shortest_edges * shortest_edge(bodies_);
     longest_step_ = std::sqrt(shortest_edge(bodies_) / std::max(scene_.gravity.acceleration, 1e-3)) / 20;
     load_.resize(bodies_.size());
@@ -200,7 +199,7 @@ void Simulation::follow_schedules() {
     }
     if (changed) {
         hold_blocks();
-        drain_excavations();
+        pressure_ = pressures_left(scene_, bodies_, state_.removed);
     }
     for (const PrescribedMotion& motion : scene_.motion) {
         Motion& moved = state_.motion[motion.block];
@@ -220,14 +219,6 @@ void Simulation::take_away(std::size_t block, char why) {
     state_.motion[block].vx = state_.motion[block].vy = state_.motion[block].spin = 0;
     fastest_.reset();
     check_contacts_of(block);
-}
-
-void Simulation::drain_excavations() {
-    std::vector<char> gone(bodies_.size());
-    std::ranges::transform(state_.removed, gone.begin(), [](char why) { return why == taken_away ? 1 : 0; });
-    if (std::ranges::any_of(scene_.pressure, &FacePressure::drains) && std::ranges::find(gone, 1) != gone.end()) {
-        scene_.pressure = drained(scene_.pressure, bodies_, find_shared_faces(bodies_), gone);
-    }
 }
 
 void Simulation::account_for_springs_of_removed(std::size_t block) {
@@ -350,7 +341,7 @@ void Simulation::apply_loads() {
     if (loads_are_final_) {
         return;
     }
-    sum_loads(scene_, settings_, bodies_, state_.time, held_, state_.motion, load_);
+    sum_loads(scene_, pressure_, settings_, bodies_, state_.time, held_, state_.motion, load_);
     add_bolt_forces(scene_, bodies_, state_, load_);
     loads_are_final_ = !scene_.belt && scene_.force.empty() && scene_.bolt.empty() && scene_.pressure.empty() &&
                        state_.time > last_scheduled_time(scene_, settings_);

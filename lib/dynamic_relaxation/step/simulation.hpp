@@ -96,8 +96,6 @@ class Simulation {
     bool solve_under(double load_share, bool first, std::span<const HeldByBolt> bolts,
                      const StaticSolveSettings& limits);
     void account_for_springs_of_removed(std::size_t block);
-    // Drains the faces that blocks taken away have uncovered.
-    void drain_excavations();
     // `why`: taken_away or has_left.
     void take_away(std::size_t block, char why);
     void let_blocks_leave();
@@ -142,7 +140,8 @@ class Simulation {
     bool loads_are_final_ = false;               // no further change of loads
     bool without_corners_ = false;               // a trial in which no corner bears on a corner
     BlockScales scales_ = {};
-    std::vector<char> held_ = {};  // fixed at present: fixed blocks, and those held for consolidation
+    std::vector<FacePressure> pressure_ = {};  // those of the scene that are left
+    std::vector<char> held_ = {};              // fixed at present: fixed blocks, and those held for consolidation
     bool held_for_consolidation_ = false;
     std::vector<StepSums> sums_ = {};     // of the step
     std::optional<double> fastest_ = {};  // with the present velocities; empty: not yet computed

@@ -152,7 +152,7 @@ bool Simulation::held_by_faces() {
         before_onset ? find_shared_faces(bodies_, closed_joint, state_.removed) : std::vector<SharedFace>();
     std::vector<BlockForce> load = load_;
     if (before_onset && !scene_.bolt.empty()) {
-        sum_loads(scene_, settings_, bodies_, state_.time, held_, state_.motion, load);
+        sum_loads(scene_, pressure_, settings_, bodies_, state_.time, held_, state_.motion, load);
     }
     const BlocksUnderLoad blocks{scene_, bodies_, held_, state_.removed, state_.motion, load};
     const JointHistory history{state_.bond, state_.contacts};

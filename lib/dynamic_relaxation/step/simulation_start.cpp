@@ -144,7 +144,7 @@ bool Simulation::start_in_equilibrium(JointsAtStart joints, BoltsAtStart bolts) 
     if (bolts == BoltsAtStart::pulling) {
         apply_loads();
     } else {
-        sum_loads(scene_, settings_, bodies_, state_.time, held_, state_.motion, load_);
+        sum_loads(scene_, pressure_, settings_, bodies_, state_.time, held_, state_.motion, load_);
         for (std::size_t index = 0; index < scene_.bolt.size(); ++index) {
             if (holds(scene_.bolt[index], state_.removed)) {
                 stretching.push_back({scene_.bolt[index], state_.bolt[index]});
@@ -155,11 +155,13 @@ bool Simulation::start_in_equilibrium(JointsAtStart joints, BoltsAtStart bolts) 
     if (settings_.start == RelaxationStart::stepped && bolts == BoltsAtStart::pulling) {
         return solve_in_steps(first, stretching, limits);
     }
-    std::optional<RelaxationState> before = first && may_need_steps() ? std::optional(state_) : std::nullopt;
+    // Bolts that stretch pull with all of their pretension from the first step on.
+    const bool may_step = first && stretching.empty() && may_need_steps();
+    std::optional<RelaxationState> before = may_step ? std::optional(state_) : std::nullopt;
     if (solve_under(1, first, stretching, limits)) {
         return true;
     }
-    if (!before) {
+    if (!before || stopped()) {
         return false;
     }
     const auto go_on_from = [&](RelaxationState state) {
@@ -169,7 +171,9 @@ bool Simulation::start_in_equilibrium(JointsAtStart joints, BoltsAtStart bolts) 
         return state;
     };
     RelaxationState under_all_at_once = go_on_from(std::move(*before));
-    if (solve_in_steps(first, stretching, limits)) {
+    StaticSolveSettings without_creep = limits;
+    without_creep.creep = Creep::none;
+    if (solve_in_steps(first, stretching, without_creep)) {
         return true;
     }
     go_on_from(std::move(under_all_at_once));

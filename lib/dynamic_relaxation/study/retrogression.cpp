@@ -1,6 +1,5 @@
 #include "dynamic_relaxation/study/retrogression.hpp"
 
-#include "dynamic_relaxation/blocks/joint_water.hpp"
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
 #include "dynamic_relaxation/step/rotation_share.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
@@ -64,6 +63,9 @@ class Retrogression {
         settings_.stop_at_onset = true;
         settings_.stop_at_equilibrium = true;
         settings_.creep = true;  // motion after onset does not matter
+        for (FacePressure& pressure : whole_.pressure) {
+            pressure.drains = true;  // a failure opens any face
+        }
     }
 
     RelaxationRun run() {
@@ -109,7 +111,6 @@ class Retrogression {
                 scene.removal.push_back({block, -1});
             }
         }
-        scene.pressure = drained(whole_.pressure, bodies_, faces_, gone_);
         return scene;
     }
 

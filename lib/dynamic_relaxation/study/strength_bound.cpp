@@ -33,19 +33,19 @@ std::vector<char> all_removed(const RelaxationScene& scene) {
     return removed;
 }
 
-std::vector<BlockForce> all_loads(const RelaxationScene& scene, const Bodies& bodies,
+std::vector<BlockForce> all_loads(const RelaxationScene& scene, const Bodies& bodies, const std::vector<char>& removed,
                                   const std::vector<Motion>& motion) {
     RelaxationSettings at_once;
     at_once.start = RelaxationStart::dropped;
     std::vector<BlockForce> load(bodies.size());
-    sum_loads(scene, at_once, bodies, 0, bodies.fixed, motion, load);
+    sum_loads(scene, pressures_left(scene, bodies, removed), at_once, bodies, 0, bodies.fixed, motion, load);
     return load;
 }
 
 FaceAssembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
                          const std::vector<char>& removed, bool tips_bear) {
     const std::vector<Motion> unmoved(bodies.size());
-    const std::vector<BlockForce> load = all_loads(scene, bodies, unmoved);
+    const std::vector<BlockForce> load = all_loads(scene, bodies, removed, unmoved);
     const BlocksUnderLoad blocks{scene, bodies, bodies.fixed, removed, unmoved, load};
     FaceAssembly made = face_assembly(blocks, faces);
     if (tips_bear) {
@@ -162,7 +162,7 @@ std::optional<StaticMechanism> mechanism_where_blocks_landed(const Simulation& a
         return locate(face, motion[face.block], motion[face.other]).opening >
                opening_of_closed_joint(bodies, face.block, face.other);
     });
-    const std::vector<BlockForce> load = all_loads(scene, bodies, motion);
+    const std::vector<BlockForce> load = all_loads(scene, bodies, state.removed, motion);
     const BlocksUnderLoad blocks{scene, bodies, bodies.fixed, state.removed, motion, load};
     FaceAssembly made = face_assembly(blocks, faces);
     add_corners_on_edges(blocks, state.contacts, made, 1);

@@ -208,7 +208,8 @@ std::optional<Point> PathLattice::face_point(std::size_t level) const {
 }
 
 std::optional<Point> PathLattice::riser_in_face(std::size_t riser) const {
-    if (!(cross(riser_along_, Point(cot_face_, 1)) > 0)) {
+    constexpr double parallel = 1e-9;
+    if (!(cross(riser_along_, Point(cot_face_, 1)) > parallel)) {
         return std::nullopt;
     }
     const Point point = crossing(riser_line(riser), face_);

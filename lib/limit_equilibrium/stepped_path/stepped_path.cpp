@@ -124,6 +124,9 @@ void set_sliding(const SteppedPath& problem, const PathLattice& lattice, const L
     const std::size_t risers = path.level.size() - (path.ends_on_step ? 1 : 0);
     for (std::size_t index = 0; index < risers; ++index) {
         const auto& nodes = lattice.riser_node[path.first + index];
+        if (path.ends_on_step && path.level[index] == path.level.back()) {
+            break;  // the step that comes out behind the crest is one part, whatever risers it crosses
+        }
         add_point(result.surface, *nodes[path.level[index]]);
         if (index + 1 < path.level.size()) {
             add_point(result.surface, *nodes[path.level[index + 1]]);
@@ -240,7 +243,8 @@ void set_extent(const SteppedPath& problem, const PathLattice& lattice, const La
     const double next = path.ends_on_step ? between_outcrops(problem.steps.spacing, problem.steps.dip)
                         : on_riser        ? between_outcrops(problem.risers->spacing, problem.risers->dip)
                                           : between_outcrops(problem.columns->spacing, problem.columns->dip);
-    if (result.retreat + next > lattice.greatest_retreat) {
+    const bool is_deepest = path.ends_on_step && path.level.back() == 0;
+    if (result.retreat + next > lattice.greatest_retreat && !is_deepest) {
         result.extent = PathExtent::greatest;
     } else if (result.retreat - next < lattice.least_width) {
         result.extent = PathExtent::least;

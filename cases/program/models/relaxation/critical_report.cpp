@@ -287,7 +287,8 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
         const bool found = critical.status == CriticalStatus::found;
         const bool is_factor = answer.plan->parameter == CriticalParameter::strength_reduction;
         const bool fails_as_given = found && answer.plan->is_ratio() && critical.value() >= 1 &&
-                                    (is_failure(result.outcome) || result.failed_at_rest());
+                                    (is_failure(result.outcome) || result.failed_at_rest() ||
+                                     result.outcome == RelaxationOutcome::held_by_corners);
         HeadCard head{!found || fails_as_given            ? AnswerTone::open
                       : is_factor && critical.value() < 1 ? AnswerTone::bad
                                                           : AnswerTone::good,

@@ -186,9 +186,14 @@ Table block_table(const RelaxationRun& made) {
 
 void append_warnings_of_joints_along_joints(const RelaxationSlope& slope, const JointedSection& section,
                                             const std::optional<CriticalPlan>& plan, Analysis& analysis) {
-    const auto at_least = [](const RelaxationJoint& one, const RelaxationJoint& other) {
+    const auto bond_at_least = [](const BondMaterial& one, const BondMaterial& other) {
+        return one.friction_angle >= other.friction_angle && one.cohesion >= other.cohesion &&
+               one.tensile_strength >= other.tensile_strength;
+    };
+    const auto at_least = [&](const RelaxationJoint& one, const RelaxationJoint& other) {
         return one.friction_angle >= other.friction_angle && one.cohesion.value_or(0) >= other.cohesion.value_or(0) &&
-               one.tensile_strength.value_or(0) >= other.tensile_strength.value_or(0) && (one.bond || !other.bond);
+               one.tensile_strength.value_or(0) >= other.tensile_strength.value_or(0) &&
+               (!other.bond || (one.bond && bond_at_least(*one.bond, *other.bond)));
     };
     const auto is_reduced = [&](const SlopeJoint& joint) {
         return plan && std::ranges::find(plan->joint, joint.name) != plan->joint.end();

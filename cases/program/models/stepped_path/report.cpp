@@ -81,9 +81,11 @@ Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
                 output.value = "none";
             }
         }
-        analysis.warnings.emplace_back(result.limit == LimitState::holds_at_any_strength
-                                           ? "no surface moves, even without strength: the factor of safety is infinite"
-                                           : "a surface moves whatever the strength");
+        analysis.warnings.emplace_back(
+            result.limit == LimitState::holds_at_any_strength
+                ? "no surface along steps and risers moves, even without strength: the factor of safety is "
+                  "infinite"
+                : "a surface moves whatever the strength");
         return analysis;
     }
     if (result.limit == LimitState::abrupt) {
@@ -110,18 +112,21 @@ HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
     const bool open = stands && result.limit == LimitState::abrupt;
     HeadCard head{open ? AnswerTone::open : stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
     if (on_riser) {
-        head.sentences.push_back(factor_in_words(least) + ", on a single riser" + (stands ? ": stands." : ": fails."));
+        head.sentences.push_back(factor_in_words(least) + ", on a single riser" +
+                                 (open     ? "."
+                                  : stands ? ": stands."
+                                           : ": fails."));
     }
     if (result.surface.empty()) {
         head.sentences.emplace_back(result.limit == LimitState::holds_at_any_strength
-                                        ? "No surface along the joints moves, even without strength."
+                                        ? "No surface along steps and risers moves, even without strength."
                                         : "A surface along the joints moves whatever the strength.");
         return head;
     }
     const std::string factor = factor_in_words(result.factor_of_safety);
-    head.sentences.push_back(on_riser ? "Along the surface that is searched for: " + factor + "."
-                             : open   ? factor + " for the mass as a whole; its toe alone fails before."
-                                      : factor + (stands ? ": stands." : ": fails."));
+    head.sentences.push_back(open       ? factor + " for the mass as a whole; its toe alone fails before."
+                             : on_riser ? "Along the surface that is searched for: " + factor + "."
+                                        : factor + (stands ? ": stands." : ": fails."));
     head.sentences.push_back(value_in_words(result.failed_area, Dimension::area) +
                              " move, along a surface that comes out " +
                              value_in_words(result.retreat, Dimension::length) + " behind the crest.");

@@ -387,7 +387,8 @@ TEST(Shaking, OnABeltIsAlongItsDirection) {
     const auto load_of = [](const RelaxationScene& scene) {
         const Bodies bodies = make_bodies(scene);
         std::vector<BlockForce> load(bodies.size());
-        sum_loads(scene, RelaxationSettings(), bodies, 0, bodies.fixed, std::vector<Motion>(bodies.size()), load);
+        sum_loads(scene, scene.pressure, RelaxationSettings(), bodies, 0, bodies.fixed,
+                  std::vector<Motion>(bodies.size()), load);
         return PlanePoint<>(load[0].x, load[0].y);
     };
     const PlanePoint<> load = load_of(upright);
