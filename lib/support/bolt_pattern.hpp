@@ -7,9 +7,9 @@
 //     plate capacity + bond strength l      by which plate and grout in front of it hold the rock (stripping),
 // l being the length from the head to the surface; a bolt without grout is anchored at its end and has its full
 // capacity wherever that end is in stable rock. What lies behind the point at which the bolt comes out of the ground
-// holds nothing. The force divided by the spacing along the slope is the force per metre
-// run that limit equilibrium uses (Hoek & Bray 1981; Wyllie & Mah 2004, 7.4 and 12.4; the force diagram is that of
-// grouted bolts in common slope programs).
+// holds nothing. The force divided by the spacing along the slope is the force per metre run that limit equilibrium
+// uses (Hoek & Bray 1981; Wyllie & Mah 2004, 7.4 and 12.4; the force diagram is that of grouted bolts in common slope
+// programs).
 //
 // Limits: the bolt carries tension alone, not shear, and whole rows act together: all sections of the slope are alike.
 #pragma once

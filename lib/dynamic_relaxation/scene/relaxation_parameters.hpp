@@ -202,15 +202,17 @@ struct RelaxationSlope {
     static constexpr std::string_view kind = "jointed_slope";
     static constexpr auto fields() {
         using S = RelaxationSlope;
-        return FieldTable{number<&S::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
-                                           "of gravity against the section, as if that dipped to -x; absent: 0"),
-                          inlined(&S::geometry, "outline and cuts"),
-                          section<&S::rock>("rocks; all is of the first where no line says otherwise"),
-                          section<&S::joint>("properties of joints; surfaces have those of the first"),
-                          section<&S::frame>("fixed blocks around the section"),
-                          section<&S::water>("water in the joints"),
-                          section<&S::fixed>("areas whose blocks are fixed"),
-                          section<&S::stage>("areas whose blocks are taken away: excavation in stages")};
+        return FieldTable{
+            number<&S::tilt>(Dimension::angle, between(degrees(-90), degrees(90)),
+                             "of gravity against the section, as if that dipped to -x; absent: 0"),
+            inlined(&S::geometry, "outline and cuts"),
+            section<&S::rock>("rocks; all is of the first where no line says otherwise"),
+            section<&S::joint>("properties of joints; surfaces have those of the first"),
+            section<&S::frame>("fixed blocks around the section"),
+            section<&S::water>("water in the joints"),
+            section<&S::fixed>("areas whose blocks are fixed"),
+            section<&S::stage>("areas whose blocks are taken away: excavation in stages; faces that it uncovers are "
+                               "drained")};
     }
 };
 
@@ -430,7 +432,9 @@ struct Relaxation {
             section<&R::bolt>("bolts and cables across joints"),
             section<&R::support>("rows of bolts, heads on the left of a jointed_slope's outline"),
             section<&R::pressure>("water on single faces of blocks"),
-            section<&R::joint_water>("water between two blocks, on both, over what their faces share at the start"),
+            section<&R::joint_water>(
+                "water between two blocks, on both, over what their faces share at the start; gone where one "
+                "of them is taken away"),
             section<&R::shaking>("record of the ground's acceleration: linear between, zero before the first and after "
                                  "the last; one alone: that acceleration from its time on"),
             section<&R::motion>("prescribed motion of fixed blocks"),

@@ -35,12 +35,11 @@ struct JointHistory {
     const ContactList& contacts;
 };
 
-// The faces with their peak strengths, or with those of bonded rock where they are greater. The programme lets tension
-// act beside compression, so that tensile strength adds friction, too: right for an upper bound of what can be carried.
+// The faces with their peak strengths, or with those of bonded rock where they are greater. A history lowers the
+// strengths: rock bridges that have broken bear nothing; an end of a pair's joint that has slipped or opened has lost
+// its part of the cohesion, and the pair its tensile strength and its peak friction.
 //
-// A history lowers the strengths. Rock bridges that have broken bear nothing; an end of a pair's joint that has slipped
-// or opened has lost its part of the cohesion, and the pair its tensile strength and its peak friction. Shear is then
-// limited by Coulomb's c + N tan(phi) for every N, with
+// The programme lets tension act beside compression. Shear is limited by Coulomb's c + N tan(phi) for every N, with
 //     t' = min(t, c / tan(phi)),  c' = c - t' tan(phi)
 // in place of tensile strength t and cohesion c: compression N + t' beside a tension t' allows c' + (N + t') tan(phi).
 FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces,

@@ -20,7 +20,7 @@
 namespace delabole {
 
 // `factor` is more than 0. No friction angle is raised beyond 89.9 deg, near which scenes are refused. Two faces in
-// contact have the properties of the weaker one after the reduction.
+// contact have the lesser strengths of both after the reduction.
 RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std::size_t> materials, double factor);
 
 // Blocks that do not stand with so many times their strength do not stand with any. Cones of still greater friction are

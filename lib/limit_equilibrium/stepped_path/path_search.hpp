@@ -1,10 +1,10 @@
 // The stepped surface of least factor of safety among all that the joints of a lattice allow.
 //
 // Sliding. The mass slides on the steps, out of the slope along their dip b; risers (dip a) open. The surface ends on a
-// riser, or on a step that comes out behind the crest. With W the rock above
-// the surface, U and V the water on steps and risers, c and m the cohesion and the tangent of the friction of the steps
-// (of joint and rock bridges together, Jennings 1970: k c_joint + (1 - k) c_rock, and m in the same way), t = (1 - k)
-// times the tensile strength on risers, and lengths l,
+// riser, or on a step that comes out behind the crest. With W the rock above the surface, U and V the water on steps
+// and risers, c and m the cohesion and the tangent of the friction of the steps (of joint and rock bridges together,
+// Jennings 1970: k c_joint + (1 - k) c_rock, and m in the same way), t = (1 - k) times the tensile strength on risers,
+// and lengths l,
 //   resisting  R = sum over steps of c l + m (W cos b - U), less the sum over risers of m V cos(a - b), plus that of
 //                  t l sin(a - b);
 //   driving    D = W sin b + sum over risers of V sin(a - b);

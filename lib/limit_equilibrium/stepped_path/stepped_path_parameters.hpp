@@ -71,8 +71,8 @@ struct PathRisers {
             number<&R::spacing>(Dimension::length, extent_range(),
                                 "normal spacing of the joints, one of which passes through the crest"),
             number<&R::friction_angle>(Dimension::angle, right_open(0, degrees(90)),
-                                       "of the joints, for a wedge that slides on one"),
-            number<&R::cohesion>(Dimension::stress, at_least(0), "of the joints, for a wedge that slides on one")};
+                                       "of the joints, for what slides on one"),
+            number<&R::cohesion>(Dimension::stress, at_least(0), "of the joints, for what slides on one")};
     }
 };
 

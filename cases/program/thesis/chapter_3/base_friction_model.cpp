@@ -125,7 +125,7 @@ RelaxationSlope model_as_cut(const BaseFrictionGeometry& geometry) {
     slope.geometry.outline = outline_of(geometry);
     slope.geometry.cut = cuts_of(geometry);
     slope.geometry.intact_joint = "joint";  // where rock is divided so that blocks are convex
-    // The median block is a piece of a column. A piece as wide as the columns does not count as a sliver.
+    // The typical block is a piece of a column. A piece as wide as the columns does not count as a sliver.
     const double length =
         geometry.cross_joint_spacing.value_or((geometry.slope_height + geometry.depth) / std::sin(geometry.joint_dip));
     const double size = std::sqrt(geometry.joint_spacing * length);
