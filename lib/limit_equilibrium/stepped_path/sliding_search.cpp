@@ -24,6 +24,8 @@ bool is_plane(const LatticePath& path) {
     return path.ends_on_step && path.level.size() == 1;
 }
 
+enum class LastPart { riser, riser_or_step };
+
 class SlidingGraph {
   public:
     SlidingGraph(const SteppedPath& problem, const PathLattice& lattice)
@@ -70,7 +72,7 @@ class SlidingGraph {
 
     // The path with the least sum of resistance - factor times driving force, or of the negative driving force alone if
     // the factor is infinite.
-    std::optional<LatticePath> least(double factor) const {
+    std::optional<LatticePath> least(double factor, LastPart last_part) const {
         const auto cost = [&](const Ratio& ratio) { return factor < infinity ? ratio.less(factor) : -ratio.driving; };
         enum class Came : unsigned char { nowhere, face, step, below };
         const std::size_t count = start_.size();
@@ -89,7 +91,8 @@ class SlidingGraph {
                 ends_on_step = on_step;
             }
         };
-        for (std::size_t level = 0; level < lattice_.levels; ++level) {
+        const bool on_steps = last_part == LastPart::riser_or_step;
+        for (std::size_t level = 0; on_steps && level < lattice_.levels; ++level) {
             end(0, plane_[level], count, level, true);
         }
         for (std::size_t riser = 0; riser < count; ++riser) {
@@ -111,7 +114,9 @@ class SlidingGraph {
                     offer(here[level - 1] + cost(*rise_[riser][level - 1]), Came::below);
                 }
                 end(here[level], finish_[riser][level], riser, level, false);
-                end(here[level], run_out_[riser][level], riser, level, true);
+                if (on_steps) {
+                    end(here[level], run_out_[riser][level], riser, level, true);
+                }
             }
             before = std::move(here);
         }
@@ -225,25 +230,26 @@ Limit least_stable_on_riser(const SteppedPath& problem, const PathLattice& latti
 }
 
 CriticalPath least_stable_sliding(const SteppedPath& problem, const PathLattice& lattice) {
+    // A surface that ends on a step has to be weaker by more than rounding: without cohesion all parts of one plane
+    // have the same factor, and cracks mark where it opens.
+    constexpr double weaker = 1 - 1e-9;
     const SlidingGraph graph(problem, lattice);
     CriticalPath critical;
     critical.factor_of_safety = infinity;
-    for (double factor = infinity; critical.searches < most_searches;) {
-        const auto path = graph.least(factor);
-        ++critical.searches;
-        if (!path) {
-            return critical;
-        }
-        const Limit limit = limit_of(graph.along(*path));
-        if (!(limit.value < factor)) {
-            break;
-        }
-        critical.path = *path;
-        critical.limit = limit.state;
-        critical.factor_of_safety = limit.value;
-        factor = limit.value;
-        if (limit.state != LimitState::found) {
-            break;
+    for (const LastPart last_part : {LastPart::riser, LastPart::riser_or_step}) {
+        for (double factor = critical.factor_of_safety; critical.searches < most_searches && factor > 0;) {
+            const auto path = graph.least(factor, last_part);
+            ++critical.searches;
+            if (!path) {
+                break;
+            }
+            const Limit limit = limit_of(graph.along(*path));
+            if (!(limit.value < (last_part == LastPart::riser ? factor : weaker * factor))) {
+                break;
+            }
+            critical.path = *path;
+            critical.limit = limit.state;
+            critical.factor_of_safety = factor = limit.value;
         }
     }
     return critical;

@@ -286,7 +286,7 @@ stop = "onset"
         return std::get<std::string>(output_at_rest(analysis_of_text(of), "outcome"));
     };
     EXPECT_EQ(ends(text), "held_by_corners");
-    EXPECT_EQ(ends(changed(text, "18 deg", "22 deg")), "equilibrium");
+    EXPECT_EQ(ends(changed(text, "18 deg", "30 deg")), "equilibrium");
 }
 
 // A stage takes away what stands in front of a block on a plane. The block's tip then stands in the corner of plane and

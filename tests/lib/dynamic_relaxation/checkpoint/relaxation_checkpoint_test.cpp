@@ -56,14 +56,15 @@ Case resting_blocks() {
     return result;
 }
 
-// This case has what the others leave out: a peak, cohesion, consolidation, a removal, a base that is turned, kinetic
-// damping, a start on loose springs.
+// This case has what the others leave out: a peak, cohesion, consolidation, a removal, water, a base that is turned,
+// kinetic damping, a start on loose springs.
 Case eventful() {
     Case result{"eventful", row_scene(blocks_of({{1, 3}, {1, 2}, {1, 1}}, 30, 12))};
     result.scene.material[0].residual_friction_angle = 20 * degree;
     result.scene.material[0].cohesion = 500;
     result.scene.block[1].held_at_first = true;
     result.scene.removal = {{2, 0.12}};
+    result.scene.pressure = {{1, 1, 2e3, 1e3, {}, true}};  // the part beside the block removed drains
     PrescribedMotion turning{3, {}};
     turning.angular_velocity = 0.2;
     turning.start = 0.05;
