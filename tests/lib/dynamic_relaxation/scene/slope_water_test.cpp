@@ -2,8 +2,10 @@
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/scene/water_table.hpp"
 #include "dynamic_relaxation/step/loads.hpp"
+#include "dynamic_relaxation/step/state.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
+#include "tests/lib/dynamic_relaxation/relaxation_scenes.hpp"
 #include "tests/support/jointed_slopes.hpp"
 
 #include <gtest/gtest.h>
@@ -293,6 +295,27 @@ TEST(SlopeWater, OfAFaceIsThatOfItsPieces) {
                                      integral(depths_along(table, middle, end), share * length);
             EXPECT_NEAR((sum - whole).norm(), 0, 1e-12 * whole.norm()) << share;
         }
+    }
+}
+
+// The lower half of the right side of a block stands against a lower block.
+TEST(PressuresLeft, LackWhatDrainsBesideABlockTakenAway) {
+    using relaxation_scenes::rectangle;
+    RelaxationScene scene;
+    scene.block = {{rectangle(0, 0, 1, 2), density}, {rectangle(1, 0, 1, 1), density}};
+    scene.pressure = {{0, 1, 2e3, 0, {}, true}, {0, 1, 3e3, 1e3, {}, false}, {1, 1, 5e2, 0, {}, true}};
+    const Bodies bodies = make_bodies(scene);
+    const std::vector<FacePressure> left = pressures_left(scene, bodies, {0, taken_away});
+    ASSERT_EQ(left.size(), 3U);
+    ASSERT_TRUE(left[0].part);
+    EXPECT_NEAR(left[0].part->begin, 1, 1e-12);
+    EXPECT_NEAR(left[0].part->end, 2, 1e-12);
+    EXPECT_NEAR(left[0].at_first, 1e3, 1e-9);
+    EXPECT_EQ(left[0].at_second, 0);
+    EXPECT_FALSE(left[1].part) << "does not drain";
+    EXPECT_FALSE(left[2].part) << "shared with no block";
+    for (const std::vector<char>& removed : {std::vector<char>{0, 0}, std::vector<char>{0, has_left}}) {
+        EXPECT_FALSE(pressures_left(scene, bodies, removed)[0].part);
     }
 }
 
