@@ -135,7 +135,19 @@ JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, 
                             std::size_t other_edge) {
     const std::size_t one = bodies.material[edge];
     const std::size_t two = bodies.material[other_edge];
-    return one == two ? scene.material[one] : lesser_of(scene.material[one], scene.material[two]);
+    if (one == two) {
+        return scene.material[one];
+    }
+    JointMaterial joint = lesser_of(scene.material[one], scene.material[two]);
+    if (joint.bond) {
+        const auto strength = [&](std::size_t bond) {
+            const BondMaterial& rock = scene.bond_material[bond];
+            return std::tuple(rock.cohesion, rock.tensile_strength, rock.friction_angle);
+        };
+        joint.bond = std::min(*scene.material[one].bond, *scene.material[two].bond,
+                              [&](std::size_t bond, std::size_t other) { return strength(bond) < strength(other); });
+    }
+    return joint;
 }
 
 }  // namespace delabole

@@ -137,7 +137,7 @@ inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>
 // bonded where both are; the rest is that of the one with less friction, or with less cohesion if both have the same.
 JointMaterial lesser_of(const JointMaterial& one, const JointMaterial& two);
 
-// The joint between two edges that lie on each other.
+// The joint between two edges that lie on each other; of two bonds, that of the rock with less cohesion.
 JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
                             std::size_t other_edge);
 

@@ -33,7 +33,9 @@ std::optional<std::size_t> index_of(const std::vector<std::string>& names, const
 }
 
 // For each joint, how many are weaker: of two, the one with less shear strength, the rock that bonds it included, under
-// half the weight of rock as high as the outline, or else with less tensile strength.
+// an eighth of the weight of rock as high as the outline, or else with less tensile strength. So much presses on the
+// joints below a mass that is a quarter as thick as the slope is high. Where more presses, friction is overrated by the
+// ratio of two tangents at most; where less does, cohesion would be overrated without limit.
 std::vector<std::size_t> ranks_of(const RelaxationSlope& slope) {
     const std::vector<SlopeJoint>& joints = slope.joint;
     double density = 0;
@@ -45,7 +47,7 @@ std::vector<std::size_t> ranks_of(const RelaxationSlope& slope) {
         bounds.extend(PlanePoint<>(corner.x, corner.y));
     }
     const double pressure =
-        density * RelaxationScene{}.gravity.acceleration * (bounds.isEmpty() ? 0 : bounds.sizes().y()) / 2;
+        density * RelaxationScene{}.gravity.acceleration * (bounds.isEmpty() ? 0 : bounds.sizes().y()) / 8;
     const auto strength = [&](const SlopeJoint& joint) {
         const RelaxationJoint& own = joint.strength;
         double shear = own.cohesion.value_or(0) + pressure * std::tan(own.friction_angle);

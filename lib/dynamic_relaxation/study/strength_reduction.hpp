@@ -34,8 +34,9 @@ RelaxationScene with_multiplied_strength(const RelaxationScene& scene, double fa
 // "1", "2", ... of blocks.
 std::vector<std::string> joint_names(const BlockScene& scene);
 
-// The scene's materials that come from the named joints of `made_of`, or from all joints if none is named. Scatter
-// makes more materials than there are joints.
+// The scene's materials that come from the named joints of `made_of` and from those along them (of two joints along
+// each other only the weaker one is in the scene), or from all joints if none is named. Scatter makes more materials
+// than there are joints.
 std::vector<std::size_t> materials_of_joints(const BlockScene& made_of, const RelaxationScene& scene,
                                              const std::vector<std::string>& names);
 

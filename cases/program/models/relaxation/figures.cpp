@@ -205,13 +205,14 @@ void append_warnings_of_joints_along_joints(const RelaxationSlope& slope, const 
             analysis.warnings.push_back(
                 "the joints " + names +
                 " run along each other, and neither is the weaker one in friction, cohesion, tensile strength and "
-                "bond: the one with less shear strength halfway down the slope counts, elsewhere the other may be the "
-                "weaker; a joint with the lesser values in place of both is on the safe side");
+                "bond: the one with less shear strength under an eighth of the slope's height of rock counts, "
+                "elsewhere "
+                "the other may be the weaker; a joint with the lesser values in place of both is on the safe side");
         }
         if (is_reduced(*joint[0]) != is_reduced(*joint[1])) {
             analysis.warnings.push_back("the joints " + names +
-                                        " run along each other, and critical.joints names one of them: the one that "
-                                        "is weaker before the reduction counts at all factors; name both");
+                                        " run along each other, and critical.joints names one of them: both are "
+                                        "reduced, which is on the safe side");
         }
     }
 }

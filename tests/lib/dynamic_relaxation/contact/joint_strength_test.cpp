@@ -230,6 +230,10 @@ TEST(JointStrength, OfTwoFacesTheLesserOfEachStrengthCounts) {
     EXPECT_EQ(both.residual_cohesion, 2e5);
     EXPECT_EQ(both.tensile_strength, 0);
     EXPECT_FALSE(both.bond);
+    scene.bond_material = {{20e9, 8e9, 50e3, 100e3, degrees(40)}, {20e9, 8e9, 5e3, 15e3, degrees(20)}};
+    scene.material[1].bond = 1;
+    EXPECT_EQ(joint_between(scene, bodies, bodies.range[0].begin, bodies.range[1].begin + 2).bond, 1U)
+        << "the rock with less cohesion";
     EXPECT_EQ(joint_between(scene, bodies, bodies.range[0].begin, bodies.range[0].begin), one);
 }
 
