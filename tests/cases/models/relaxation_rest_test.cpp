@@ -322,6 +322,9 @@ parameter = "strength_reduction"
 tolerance = 0.001
 )");
     EXPECT_NEAR(factor_of(found), std::tan(degrees(30)) * (23.677 - 0.0875) / 11, 0.001) << "a bracket";
+    EXPECT_TRUE(std::ranges::any_of(found.warnings, [](const std::string& warning) {
+        return warning.starts_with("the value is that after all stages of excavation");
+    }));
 }
 
 // A plate of 2 mm in front of a block on a plane of 40 deg is taken away: the block slides as far and leans on a stop.

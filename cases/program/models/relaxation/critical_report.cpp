@@ -396,6 +396,13 @@ void append_critical(Analysis& analysis, const RelaxationStudyAnswer& answer) {
             number_in_words(*critical.consolidated_at) +
             ", on which the value found may depend; critical.paths = \"all\" tells how much");
     }
+    const auto is_later = [](const Removal& removal) { return removal.time >= 0; };
+    if (plan.path.size() == 1 && critical.path == LoadingPath::consolidated &&
+        std::ranges::any_of(answer.run.scene.removal, is_later)) {
+        analysis.warnings.emplace_back(
+            "the value is that after all stages of excavation; critical.path = \"stages\" "
+            "also counts what fails before them");
+    }
     if (answer.fails_if_softer) {
         analysis.warnings.push_back("with joints of a tenth of their stiffness the blocks fail at " +
                                     value_in_words(*answer.fails_if_softer, dimension) +
