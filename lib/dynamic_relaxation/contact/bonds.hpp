@@ -92,7 +92,7 @@ struct BondMemory {
 std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
 
 // Bonds across all faces that lie on each other in the initial geometry. A bond is of rock where the joints of both
-// faces have one: that of the joint with less friction. The contacts of joint_between act once it has broken. Otherwise
+// faces have one: that with less cohesion. The contacts of joint_between act once it has broken. Otherwise
 // a bond is of that joint itself, if it has strength to lose: tensile strength, or more cohesion than remains.
 std::vector<FaceBond> find_bonds(const RelaxationScene& scene);
 
