@@ -39,7 +39,7 @@ class Simulation {
     Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from,
                const std::atomic<bool>* stop = nullptr);
 
-    // What comes from now on does not end early.
+    // From now on nothing ends static solves early.
     void let_finish() { stop_ = nullptr; }
 
     void step();

@@ -191,7 +191,7 @@ bool Simulation::may_need_steps() const {
             std::ranges::any_of(scene_.material, [](const JointMaterial& joint) { return joint.cohesion > 0; }));
 }
 
-// What is not balanced under a part of the loads is left to the step with all of them.
+// If blocks find no balance under a part of the loads, the next step has all of them.
 bool Simulation::solve_in_steps(bool first, std::span<const HeldByBolt> bolts, const StaticSolveSettings& limits) {
     constexpr int steps = 10;
     StaticSolveSettings on_the_way = limits;

@@ -98,7 +98,7 @@ void scatter_friction(RelaxationScene& scene, std::size_t standing, const Relaxa
                 drawn(scene.block[block].joint[right]);
         }
     }
-    // Where two faces touch, the lesser friction counts: below a block that has to be the block's own.
+    // The lesser friction of two faces counts. The base has so much that below each block its own friction does.
     JointMaterial below = scene.material[scene.block[standing].joint[top]];
     below.friction_angle = degrees(89.9);
     below.residual_friction_angle.reset();

@@ -74,7 +74,7 @@ class PathLattice {
     // For sliding; a node is absent outside the rock, and if the mass in front of it would be too narrow.
     std::vector<std::vector<std::optional<Point>>> riser_node;  // by riser, then level
     std::vector<std::optional<Point>> step_outcrop;  // by level, where the step comes out far enough behind the crest
-    // Where the riser comes out; in front of the crest, where it comes out in the face.
+    // Each riser comes out here: behind the crest on the ground, in front of it in the face.
     std::vector<Point> riser_outcrop;
 
     // For toppling.
@@ -83,7 +83,7 @@ class PathLattice {
     std::vector<std::vector<PathWedge>> wedges;  // behind joint n, by n - 1
 
     std::optional<Point> face_point(std::size_t level) const;
-    // Where a riser that is flatter than the face comes out above the toe; empty if massive rock begins there.
+    // A flat riser comes out of the face here; empty if it does so below the toe, in massive rock or not at all.
     std::optional<Point> riser_in_face(std::size_t riser) const;
     double retreat(const Point& outcrop) const { return outcrop.x() - crest.x(); }
     bool is_far_enough(const Point& outcrop) const {

@@ -1,4 +1,4 @@
-// What a report says first of a stepped surface, of risers and of toes that fail before it.
+// Reports of stepped surfaces first name what fails first: the surface, rock on a single riser, or a toe.
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/model_reports.hpp"
 

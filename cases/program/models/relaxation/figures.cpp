@@ -206,8 +206,8 @@ void append_warnings_of_joints_along_joints(const RelaxationSlope& slope, const 
                 "the joints " + names +
                 " run along each other, and neither is the weaker one in friction, cohesion, tensile strength and "
                 "bond: the one with less shear strength under an eighth of the slope's height of rock counts, "
-                "elsewhere "
-                "the other may be the weaker; a joint with the lesser values in place of both is on the safe side");
+                "elsewhere the other may be the weaker; a joint with the lesser values in place of both is on the safe "
+                "side");
         }
         if (is_reduced(*joint[0]) != is_reduced(*joint[1])) {
             analysis.warnings.push_back("the joints " + names +

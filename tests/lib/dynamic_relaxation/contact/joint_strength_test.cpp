@@ -196,7 +196,7 @@ TEST(JointStrength, IsSpreadWhereItCanBeLost) {
     EXPECT_EQ(bonds([](JointMaterial& one) { one.tensile_strength = 1; }), 1U);
     // Perfectly plastic corners add up to limit equilibrium themselves.
     EXPECT_EQ(bonds([](JointMaterial& one) { one.cohesion = one.residual_cohesion = 1; }), 0U);
-    // Of two joints in contact the lesser cohesion counts.
+    // The lesser cohesion of two joints in contact counts.
     RelaxationScene scene = relaxation_scenes::scene_of(OnPlane{});
     scene.material.push_back(joint(scene.material[0].normal_stiffness, degrees(50)));
     scene.block[1].joint = {1, 1, 1, 1};

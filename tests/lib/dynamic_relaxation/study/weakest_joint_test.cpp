@@ -424,7 +424,7 @@ TEST(WeakestJoint, TheBoundOfStaticsBondsNoOpenFace) {
     ASSERT_EQ(scene.bond.size(), 1U);
     const double driving = plane.weight() * std::sin(plane.tilt);
     const double normal = plane.weight() * std::cos(plane.tilt);
-    // As if the bonded half carried all of the weight, and as if the open half did and no rock held.
+    // The bonded half can at most carry all of the weight; friction of the open half holds at least this.
     const double most = (30e3 * 2 + normal * std::tan(degrees(40))) / driving;
     const double least = normal * std::tan(degrees(20)) / driving;
     const double bound = *greatest_strength_reduction(scene);
