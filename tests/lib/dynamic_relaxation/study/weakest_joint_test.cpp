@@ -213,7 +213,9 @@ TEST(WeakestJoint, AnOpenJointCountsBesideOneThatIsBonded) {
             ASSERT_EQ(along.size(), 1U) << first;
             EXPECT_EQ(*along.begin(), std::pair(std::size_t{1}, std::size_t{2}));
             // Reduced alone, the joint that does not count would leave a slope that stands at every factor.
-            study.critical = ReductionSearch{.joints = {"other"}};
+            ReductionSearch other_alone{};
+            other_alone.joints = {"other"};
+            study.critical = other_alone;
             EXPECT_NEAR(find_critical(study).value(), expected, within_bracket) << first;
         }
     }
