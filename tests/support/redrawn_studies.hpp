@@ -36,9 +36,7 @@ inline RelaxationStudy as_polygons(RelaxationStudy study) {
         joint.tensile_strength = material.tensile_strength;
         joint.normal_stiffness = material.normal_stiffness;
         joint.shear_stiffness = material.shear_stiffness;
-        if (material.bond) {
-            joint.bond = scene.bond_material[*material.bond];
-        }
+        joint.bond = material.bond;
         polygons.joint.push_back(joint);
     }
     for (const RelaxationBlock& block : scene.block) {

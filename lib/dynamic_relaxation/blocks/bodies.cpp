@@ -110,6 +110,12 @@ void Motion::set_large_angle(double value) {
     versine = 2 * half * half;
 }
 
+BondMaterial lesser_of(const BondMaterial& one, const BondMaterial& two) {
+    return {std::min(one.young_modulus, two.young_modulus),       std::min(one.shear_modulus, two.shear_modulus),
+            std::min(one.tensile_strength, two.tensile_strength), std::min(one.cohesion, two.cohesion),
+            std::min(one.friction_angle, two.friction_angle),     std::max(one.spacing, two.spacing)};
+}
+
 JointMaterial lesser_of(const JointMaterial& one, const JointMaterial& two) {
     const auto strength = [](const JointMaterial& joint) {
         return std::tuple(joint.friction_angle, joint.cohesion, joint.normal_stiffness, joint.shear_stiffness);
@@ -125,9 +131,7 @@ JointMaterial lesser_of(const JointMaterial& one, const JointMaterial& two) {
     joint.cohesion = std::min(one.cohesion, two.cohesion);
     joint.residual_cohesion = std::min(one.residual_cohesion, two.residual_cohesion);
     joint.tensile_strength = std::min(one.tensile_strength, two.tensile_strength);
-    if (!one.bond || !two.bond) {
-        joint.bond.reset();
-    }
+    joint.bond = one.bond && two.bond ? std::optional(lesser_of(*one.bond, *two.bond)) : std::nullopt;
     return joint;
 }
 
@@ -135,19 +139,7 @@ JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, 
                             std::size_t other_edge) {
     const std::size_t one = bodies.material[edge];
     const std::size_t two = bodies.material[other_edge];
-    if (one == two) {
-        return scene.material[one];
-    }
-    JointMaterial joint = lesser_of(scene.material[one], scene.material[two]);
-    if (joint.bond) {
-        const auto strength = [&](std::size_t bond) {
-            const BondMaterial& rock = scene.bond_material[bond];
-            return std::tuple(rock.cohesion, rock.tensile_strength, rock.friction_angle);
-        };
-        joint.bond = std::min(*scene.material[one].bond, *scene.material[two].bond,
-                              [&](std::size_t bond, std::size_t other) { return strength(bond) < strength(other); });
-    }
-    return joint;
+    return one == two ? scene.material[one] : lesser_of(scene.material[one], scene.material[two]);
 }
 
 }  // namespace delabole

@@ -133,11 +133,14 @@ inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>
     return bodies.centroid[block] + PlanePoint<>(moved.x, moved.y) + moved.turned(bodies.corner[corner]);
 }
 
-// Two joints of which both have to hold: the lesser of their friction, of their cohesion and of their tensile strength,
-// bonded where both are; the rest is that of the one with less friction, or with less cohesion if both have the same.
+// Rock with the lesser strengths and moduli of both; a spacing that is given counts before one of the blocks.
+BondMaterial lesser_of(const BondMaterial& one, const BondMaterial& two);
+
+// A joint that holds only what both hold: it has the lesser friction, cohesion and tensile strength, and is bonded
+// where both are. Its stiffness is that of the one with less friction, or with less cohesion if both have the same.
 JointMaterial lesser_of(const JointMaterial& one, const JointMaterial& two);
 
-// The joint between two edges that lie on each other; of two bonds, that of the rock with less cohesion.
+// The joint between two edges that lie on each other: the lesser of their joints.
 JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
                             std::size_t other_edge);
 

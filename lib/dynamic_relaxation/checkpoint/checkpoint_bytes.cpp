@@ -8,7 +8,7 @@ namespace {
 constexpr std::string_view mark =
     "\x89"
     "DlbRlx\n";
-constexpr std::uint64_t checkpoint_version = 28;
+constexpr std::uint64_t checkpoint_version = 29;
 constexpr std::size_t checksum_size = 8;
 static_assert(checkpoint_header_size == mark.size() + 3 * sizeof(std::uint64_t));
 

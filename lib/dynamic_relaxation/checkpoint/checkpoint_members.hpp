@@ -58,7 +58,7 @@ DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluat
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
                  tensile_strength, bond, residual_cohesion)
 DELABOLE_MEMBERS(BondMaterial, young_modulus, shear_modulus, tensile_strength, cohesion, friction_angle, spacing)
-DELABOLE_MEMBERS(FaceBond, block, edge, other, other_edge, material)
+DELABOLE_MEMBERS(FaceBond, block, edge, other, other_edge, of_rock)
 DELABOLE_MEMBERS(RelaxationBlock, outline, density, fixed, held_at_first, joint)
 DELABOLE_MEMBERS(Gravity, acceleration, tilt, final_tilt, rate, interval, start)
 DELABOLE_MEMBERS(PointForce, block, at, force)
@@ -69,8 +69,7 @@ DELABOLE_MEMBERS(TimedVector, time, value)
 DELABOLE_MEMBERS(PrescribedMotion, block, velocity, angular_velocity, pivot, start, duration)
 DELABOLE_MEMBERS(Removal, block, time)
 DELABOLE_MEMBERS(Belt, speed, friction_angle)
-DELABOLE_MEMBERS(RelaxationScene, block, material, gravity, force, pressure, shaking, motion, removal, bond_material,
-                 bond, belt, bolt)
+DELABOLE_MEMBERS(RelaxationScene, block, material, gravity, force, pressure, shaking, motion, removal, bond, belt, bolt)
 DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, local_damping, kinetic_damping, creep,
                  mass_scaling, start, ramp_time, consolidation_time, equilibrium_ratio, onset_rotation, onset_slide,
                  collapse_rotation, collapse_displacement, stop_at_onset, stop_at_equilibrium, stop_at_collapse,

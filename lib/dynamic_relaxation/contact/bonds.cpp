@@ -186,14 +186,14 @@ ForceOnCorner advance_bond(const Bond& bond, BondMemory& memory, const Motion& b
 std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping) {
     std::vector<Bond> bonds;
     bonds.reserve(scene.bond.size());
-    const bool any_of_joint = std::ranges::any_of(scene.bond, [](const FaceBond& bond) { return !bond.material; });
+    const bool any_of_joint = std::ranges::any_of(scene.bond, [](const FaceBond& bond) { return !bond.of_rock; });
     const std::vector<SharedFace> faces = any_of_joint ? find_shared_faces(bodies) : std::vector<SharedFace>();
     for (const FaceBond& bond : scene.bond) {
         const std::optional<SharedFace> face = shared_face(bodies, bodies.range[bond.block].begin + bond.edge,
                                                            bodies.range[bond.other].begin + bond.other_edge);
         const JointMaterial joint = joint_of(scene, bodies, *face);
-        bonds.push_back(bond.material
-                            ? make_bond(*face, scene.bond_material[*bond.material], joint, bodies, viscous_damping)
+        bonds.push_back(bond.of_rock
+                            ? make_bond(*face, *joint.bond, joint, bodies, viscous_damping)
                             : make_joint_bond(whole_face(bodies, faces, *face), joint, bodies, viscous_damping));
     }
     return bonds;
@@ -217,7 +217,7 @@ std::vector<FaceBond> find_bonds(const RelaxationScene& scene) {
         const bool known = std::ranges::find(spread, joints_of(bodies, face)) != spread.end();
         if (joint.bond || (has_strength_to_lose(joint) && !known)) {
             bonds.push_back({face.block, face.edge - bodies.range[face.block].begin, face.other,
-                             face.other_edge - bodies.range[face.other].begin, joint.bond});
+                             face.other_edge - bodies.range[face.other].begin, joint.bond.has_value()});
             if (!joint.bond) {
                 spread.push_back(joints_of(bodies, face));
             }

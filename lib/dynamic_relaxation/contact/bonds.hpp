@@ -92,8 +92,8 @@ struct BondMemory {
 std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
 
 // Bonds across all faces that lie on each other in the initial geometry. A bond is of rock where the joints of both
-// faces have one: that with less cohesion. The contacts of joint_between act once it has broken. Otherwise
-// a bond is of that joint itself, if it has strength to lose: tensile strength, or more cohesion than remains.
+// faces are bonded; once it has broken, the contacts of joint_between act. Otherwise a bond is of that joint itself, if
+// it has strength to lose: tensile strength, or more cohesion than remains.
 std::vector<FaceBond> find_bonds(const RelaxationScene& scene);
 
 // Energy of the bond's springs, J/m.

@@ -107,12 +107,7 @@ std::size_t PairSearch::Side::after(std::size_t corner_number) const {
 }
 
 PairSearch::PairSearch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping)
-    : scene_(scene), bodies_(bodies), viscous_damping_(viscous_damping) {
-    for (const JointMaterial& joint : scene.material) {
-        friction_.push_back(std::tan(joint.friction_angle));
-        residual_friction_.push_back(std::tan(joint.residual_friction_angle.value_or(joint.friction_angle)));
-    }
-}
+    : scene_(scene), bodies_(bodies), viscous_damping_(viscous_damping) {}
 
 PlanePoint<> PairSearch::corner_of(std::size_t corner) const {
     const PlanePoint<>& arm = bodies_.corner[corner];
@@ -373,19 +368,15 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     law.end_weight = -std::min(next, previous) > lean ? 0.5 : -0.5;
     law.inverse_blend = 1 / (2 * (blend_length * shortest_));
     JointMaterial joint = joint_between(scene_, bodies_, block.begin + face, other.begin + edge);
-    const std::array material{bodies_.material[block.begin + face], bodies_.material[other.begin + edge]};
-    law.friction = std::min(friction_[material[0]], friction_[material[1]]);
-    law.residual_friction = std::min(residual_friction_[material[0]], residual_friction_[material[1]]);
     if (beyond && shared(face) < at_tip * shortest_) {
         // Joints cross here at so small an angle that they are one face. Blocks on opposite sides of both meet in this
         // point alone, and have the lesser strength of all.
         for (const std::size_t there : {block.begin + corner, block.begin + block.before(corner), *beyond}) {
-            const std::size_t crossing = bodies_.material[there];
-            joint = lesser_of(joint, scene_.material[crossing]);
-            law.friction = std::min(law.friction, friction_[crossing]);
-            law.residual_friction = std::min(law.residual_friction, residual_friction_[crossing]);
+            joint = lesser_of(joint, scene_.material[bodies_.material[there]]);
         }
     }
+    law.friction = std::tan(joint.friction_angle);
+    law.residual_friction = std::tan(joint.residual_friction_angle.value_or(joint.friction_angle));
     law.normal_stiffness = joint.normal_stiffness;
     law.shear_stiffness = joint.shear_stiffness;
     const double effective_mass = 1 / (bodies_.inverse_mass[block.block] + bodies_.inverse_mass[other.block]);

@@ -111,8 +111,6 @@ class PairSearch {
     const RelaxationScene& scene_;
     const Bodies& bodies_;
     double viscous_damping_;
-    std::vector<double> friction_ = {};  // tangents, of each material
-    std::vector<double> residual_friction_ = {};
     // The pair that is searched:
     std::array<Side, 2> side_ = {};
     std::array<Gaps, 2> gaps_ = {};

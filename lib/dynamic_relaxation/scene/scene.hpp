@@ -16,27 +16,6 @@
 
 namespace delabole {
 
-// Stiffness of one corner on one edge, whatever the length of the face: in the thesis 2e6 N/m for each inch of a
-// column's height (5.3).
-struct JointMaterial {
-    double normal_stiffness;  // N/m per metre run, more than 0
-    double shear_stiffness;   // N/m per metre run, more than 0
-    double friction_angle;    // peak, 0 to below 90 deg
-    // Applies after the first slip or opening, if there is a peak: Fig 5.4(c). Unset: the friction angle, as in Fig
-    // 5.4(b).
-    std::optional<double> residual_friction_angle = {};
-    // Pa over the shared length of the faces, lost with the first slip or opening. Half of it acts at either end; it is
-    // spread over the face as long as the joint has a bond of its own (FaceBond).
-    double cohesion = 0;
-    double tensile_strength = 0;  // Pa, of the joint's own bond, lost where an end lifts off
-    // Material of the bonds that find_bonds makes across faces of this joint: intact rock. Unset: the joint is open.
-    std::optional<std::size_t> bond = {};
-    // Pa, the part of the cohesion that is not lost, at most all of it: then the joint is perfectly plastic in shear.
-    double residual_cohesion = 0;
-
-    bool operator==(const JointMaterial&) const = default;
-};
-
 // Intact rock, until it breaks, across faces of two blocks that lie on each other in the initial geometry (bonds.hpp).
 struct BondMaterial {
     double young_modulus;
@@ -46,6 +25,9 @@ struct BondMaterial {
     double friction_angle;
     // Stiffness per area is modulus over spacing. The centroid of a fixed block counts as at no distance from the face.
     std::optional<double> spacing = {};
+
+    bool operator==(const BondMaterial&) const = default;
+
     static constexpr auto fields() {
         using B = BondMaterial;
         return FieldTable{
@@ -60,15 +42,36 @@ struct BondMaterial {
     }
 };
 
+// Stiffness of one corner on one edge, whatever the length of the face: in the thesis 2e6 N/m for each inch of a
+// column's height (5.3).
+struct JointMaterial {
+    double normal_stiffness;  // N/m per metre run, more than 0
+    double shear_stiffness;   // N/m per metre run, more than 0
+    double friction_angle;    // peak, 0 to below 90 deg
+    // Applies after the first slip or opening, if there is a peak: Fig 5.4(c). Unset: the friction angle, as in Fig
+    // 5.4(b).
+    std::optional<double> residual_friction_angle = {};
+    // Pa over the shared length of the faces, lost with the first slip or opening. Half of it acts at either end; it is
+    // spread over the face as long as the joint has a bond of its own (FaceBond).
+    double cohesion = 0;
+    double tensile_strength = 0;  // Pa, of the joint's own bond, lost where an end lifts off
+    // Intact rock that bridges faces of this joint until it breaks. Unset: the joint is open.
+    std::optional<BondMaterial> bond = {};
+    // Pa, the part of the cohesion that is not lost, at most all of it: then the joint is perfectly plastic in shear.
+    double residual_cohesion = 0;
+
+    bool operator==(const JointMaterial&) const = default;
+};
+
 // Two faces that lie on each other in the initial geometry, at least one of them of a free block.
 struct FaceBond {
     std::size_t block;
     std::size_t edge;
     std::size_t other;
     std::size_t other_edge;
-    // Material of the rock that bridges them. Unset: there is no rock bridge, and the joint's own strength acts over
-    // the whole face (bonds.hpp).
-    std::optional<std::size_t> material;
+    // Whether rock bridges them, that of their joints. If not, the joint's own strength acts over the whole face
+    // (bonds.hpp).
+    bool of_rock;
 };
 
 struct RelaxationBlock {
@@ -78,8 +81,6 @@ struct RelaxationBlock {
     bool held_at_first = false;           // does not move while the others consolidate (5.3.2)
     std::vector<std::size_t> joint = {};  // material of each edge, edge n from vertex n to n + 1; empty: material 0
 };
-
-// Two faces in contact have the lesser strength of both (joint_between in blocks/bodies.hpp).
 
 // Gravity is acceleration (-sin tilt, -cos tilt): the frame of the scene is that of a base that dips towards -x by
 // `tilt`.
@@ -173,7 +174,6 @@ struct RelaxationScene {
     std::vector<TimedVector> shaking = {};
     std::vector<PrescribedMotion> motion = {};
     std::vector<Removal> removal = {};
-    std::vector<BondMaterial> bond_material = {};
     std::vector<FaceBond> bond = {};
     std::optional<Belt> belt = {};
     std::vector<BoltSegment> bolt = {};

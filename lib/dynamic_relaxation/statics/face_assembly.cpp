@@ -21,7 +21,7 @@ struct FaceStrength {
     bool bears_compression = true;
 };
 
-using BlockPairs = std::set<std::pair<std::size_t, std::size_t>>;  // the lesser number first
+using Pairs = std::set<std::pair<std::size_t, std::size_t>>;  // of blocks or edges, the lesser number first
 
 // This is how much of its peak strength the joint of a pair still has.
 struct StrengthLeft {
@@ -50,18 +50,30 @@ StrengthsLeft strengths_left(const BlocksUnderLoad& blocks, const JointHistory& 
     }
     for (std::size_t index = 0; index < blocks.scene.bond.size(); ++index) {
         const FaceBond& bond = blocks.scene.bond[index];
-        if (!bond.material && history.bond[index].state != BondState::whole) {
+        if (!bond.of_rock && history.bond[index].state != BondState::whole) {
             left[std::minmax(bond.block, bond.other)].torn = true;
         }
     }
     return left;
 }
 
+// Edges of the faces that rock bridges.
+Pairs bridged_faces(const BlocksUnderLoad& blocks, const JointHistory* history) {
+    Pairs bridged;
+    for (std::size_t index = 0; index < blocks.scene.bond.size(); ++index) {
+        const FaceBond& bond = blocks.scene.bond[index];
+        if (bond.of_rock && (history == nullptr || history->bond[index].state == BondState::whole)) {
+            bridged.insert(std::minmax(blocks.bodies.range[bond.block].begin + bond.edge,
+                                       blocks.bodies.range[bond.other].begin + bond.other_edge));
+        }
+    }
+    return bridged;
+}
+
 // The strength of a bonded joint is that of the joint or of the rock, whichever is greater, not their sum.
-FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, const JointHistory* history,
-                         const StrengthsLeft& left) {
-    const RelaxationScene& scene = blocks.scene;
-    const JointMaterial joint = joint_between(scene, blocks.bodies, face.edge, face.other_edge);
+FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, const StrengthsLeft& left,
+                         const Pairs& bridged) {
+    const JointMaterial joint = joint_between(blocks.scene, blocks.bodies, face.edge, face.other_edge);
     FaceStrength strength{joint.friction_angle, joint.cohesion, joint.tensile_strength};
     if (const auto found = left.find(std::minmax<std::size_t>(face.block, face.other)); found != left.end()) {
         const StrengthLeft& of_pair = found->second;
@@ -71,19 +83,10 @@ FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, 
             strength.friction_angle = joint.residual_friction_angle.value_or(joint.friction_angle);
         }
     }
-    for (std::size_t index = 0; index < scene.bond.size(); ++index) {
-        const FaceBond& bond = scene.bond[index];
-        const std::size_t edge = blocks.bodies.range[bond.block].begin + bond.edge;
-        const std::size_t other_edge = blocks.bodies.range[bond.other].begin + bond.other_edge;
-        const bool here = edge == face.edge && other_edge == face.other_edge;
-        const bool there = edge == face.other_edge && other_edge == face.edge;
-        const bool whole = history == nullptr || history->bond[index].state == BondState::whole;
-        if (bond.material && whole && (here || there)) {
-            const BondMaterial& rock = scene.bond_material[*bond.material];
-            strength.friction_angle = std::max(strength.friction_angle, rock.friction_angle);
-            strength.cohesion = std::max(strength.cohesion, rock.cohesion);
-            strength.tensile_strength = std::max(strength.tensile_strength, rock.tensile_strength);
-        }
+    if (joint.bond && bridged.contains(std::minmax<std::size_t>(face.edge, face.other_edge))) {
+        strength.friction_angle = std::max(strength.friction_angle, joint.bond->friction_angle);
+        strength.cohesion = std::max(strength.cohesion, joint.bond->cohesion);
+        strength.tensile_strength = std::max(strength.tensile_strength, joint.bond->tensile_strength);
     }
     // The programme's faces shear at cohesion + (N + tensile strength) tan(friction).
     if (const double friction = std::tan(strength.friction_angle); friction > 0) {
@@ -189,6 +192,7 @@ void add_tips(const BlocksUnderLoad& blocks, std::size_t block, std::size_t othe
 FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces,
                            const JointHistory* history) {
     const StrengthsLeft left = history == nullptr ? StrengthsLeft() : strengths_left(blocks, *history);
+    const Pairs bridged = bridged_faces(blocks, history);
     const Bodies& bodies = blocks.bodies;
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
     FaceAssembly made;
@@ -209,7 +213,7 @@ FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<Shar
         const FacePosition at = locate(face, blocks.motion[face.block], blocks.motion[face.other]);
         const PlanePoint<> middle = centroid_of(blocks, face.block) + PlanePoint<>(at.arm_x, at.arm_y);
         const PlanePoint<> half = face.length / 2 * PlanePoint<>(at.along_x(), at.along_y());
-        add_face(body[face.block], body[face.other], middle, half, strength_of(blocks, face, history, left),
+        add_face(body[face.block], body[face.other], middle, half, strength_of(blocks, face, left, bridged),
                  made.assembly);
     }
     return made;
@@ -234,7 +238,7 @@ void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list
 }
 
 void add_tips_on_edges(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces, FaceAssembly& made) {
-    BlockPairs facing;
+    Pairs facing;
     for (const SharedFace& face : faces) {
         facing.insert(std::minmax<std::size_t>(face.block, face.other));
     }

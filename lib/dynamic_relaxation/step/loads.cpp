@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace delabole {
 
@@ -43,6 +45,33 @@ PlanePoint<> value_at(const std::vector<TimedVector>& record, double time) {
     return before.value + share * (after->value - before.value);
 }
 
+// What is left of the pressures on an edge of this length where a part of it is uncovered.
+std::vector<FacePressure> outside(const EdgePart& uncovered, const std::vector<FacePressure>& pressures,
+                                  double length) {
+    std::vector<FacePressure> left;
+    for (const FacePressure& pressure : pressures) {
+        const EdgePart part = pressure.part.value_or(EdgePart{0, length});
+        if (uncovered.end <= part.begin || uncovered.begin >= part.end) {
+            left.push_back(pressure);
+            continue;
+        }
+        const double slope = (pressure.at_second - pressure.at_first) / (part.end - part.begin);
+        const auto keep = [&](double from, double to) {
+            // A piece that exists only by rounding carries no pressure.
+            if (to - from > 1e-9 * length) {
+                FacePressure piece = pressure;
+                piece.at_first += slope * (from - part.begin);
+                piece.at_second = pressure.at_first + slope * (to - part.begin);
+                piece.part = {from, to};
+                left.push_back(piece);
+            }
+        };
+        keep(part.begin, uncovered.begin);
+        keep(uncovered.end, part.end);
+    }
+    return left;
+}
+
 }  // namespace
 
 PlanePoint<> shaking_at(const RelaxationScene& scene, double time) {
@@ -78,49 +107,31 @@ void prescribe(const PrescribedMotion& prescribed, const Bodies& bodies, double 
 
 std::vector<FacePressure> pressures_left(const RelaxationScene& scene, const Bodies& bodies,
                                          const std::vector<char>& removed) {
-    std::vector<FacePressure> left = scene.pressure;
     const auto is_gone = [&](std::size_t block) { return removed[block] == taken_away; };
-    if (std::ranges::none_of(left, &FacePressure::drains) || std::ranges::find(removed, taken_away) == removed.end()) {
-        return left;
+    if (std::ranges::none_of(scene.pressure, &FacePressure::drains) ||
+        std::ranges::find(removed, taken_away) == removed.end()) {
+        return scene.pressure;
     }
-    const auto drain = [&](std::size_t block, std::size_t edge, const PlanePoint<>& middle, double length) {
-        const CornerRange& range = bodies.range[block];
-        const PlanePoint<>& first = bodies.corner[edge];
-        const PlanePoint<> along = (bodies.corner[range.after(edge)] - first).normalized();
-        const double whole = (bodies.corner[range.after(edge)] - first).norm();
-        const double begin = along.dot(middle - first) - length / 2;
-        const double end = begin + length;
-        std::vector<FacePressure> kept;
-        for (const FacePressure& pressure : left) {
-            if (!pressure.drains || pressure.block != block || range.begin + pressure.edge != edge) {
-                kept.push_back(pressure);
-                continue;
-            }
-            const EdgePart part = pressure.part.value_or(EdgePart{0, whole});
-            const auto keep = [&](double from, double to) {
-                // A piece that exists only by rounding carries no pressure.
-                if (to - from > 1e-9 * whole) {
-                    const double slope = (pressure.at_second - pressure.at_first) / (part.end - part.begin);
-                    kept.push_back({block, pressure.edge, pressure.at_first + slope * (from - part.begin),
-                                    pressure.at_first + slope * (to - part.begin), EdgePart{from, to},
-                                    pressure.drains});
-                }
-            };
-            if (end <= part.begin || begin >= part.end) {
-                kept.push_back(pressure);
-                continue;
-            }
-            keep(part.begin, std::min(begin, part.end));
-            keep(std::max(end, part.begin), part.end);
-        }
-        left = std::move(kept);
-    };
+    std::map<std::size_t, std::vector<EdgePart>> uncovered;  // of each edge
     for (const SharedFace& face : find_shared_faces(bodies)) {
-        if (is_gone(face.other) && !is_gone(face.block)) {
-            drain(face.block, face.edge, face.arm, face.length);
-        } else if (is_gone(face.block) && !is_gone(face.other)) {
-            drain(face.other, face.other_edge, face.other_arm, face.length);
+        if (is_gone(face.block) != is_gone(face.other)) {
+            const auto [edge, middle] =
+                is_gone(face.other) ? std::pair(face.edge, face.arm) : std::pair(face.other_edge, face.other_arm);
+            const double begin = bodies.along[edge].dot(middle - bodies.corner[edge]) - face.length / 2;
+            uncovered[edge].push_back({begin, begin + face.length});
         }
+    }
+    std::vector<FacePressure> left;
+    for (const FacePressure& pressure : scene.pressure) {
+        const std::size_t edge = bodies.range[pressure.block].begin + pressure.edge;
+        const auto found = uncovered.find(edge);
+        std::vector<FacePressure> pieces{pressure};
+        if (pressure.drains && found != uncovered.end()) {
+            for (const EdgePart& dry : found->second) {
+                pieces = outside(dry, pieces, bodies.length[edge]);
+            }
+        }
+        left.insert(left.end(), pieces.begin(), pieces.end());
     }
     return left;
 }

@@ -26,8 +26,8 @@ FaceForce force_of(const FacePressure& pressure, const Bodies& bodies, const Mot
 // Sets the velocity of a fixed block.
 void prescribe(const PrescribedMotion& prescribed, const Bodies& bodies, double time, Motion& motion);
 
-// The pressures of a scene without those that drain, on faces that blocks which stay share with blocks that were taken
-// away. `removed`: by block, why it is gone.
+// The pressures that act once blocks have been taken away: where a block that stays shared a face with one of them,
+// those that drain are gone. `removed`: by block, why it is gone.
 std::vector<FacePressure> pressures_left(const RelaxationScene& scene, const Bodies& bodies,
                                          const std::vector<char>& removed);
 

@@ -87,6 +87,18 @@ SceneCheck check_outline(const Polygon<>& outline) {
     return shortest > shortest_edge_in_radii * longest ? SceneCheck::valid : SceneCheck::edge_too_short;
 }
 
+SceneCheck check_rock(const BondMaterial& rock) {
+    const double spacing = rock.spacing.value_or(1);
+    const bool numbers = finite(
+        {rock.young_modulus, rock.shear_modulus, rock.tensile_strength, rock.cohesion, rock.friction_angle, spacing});
+    const bool moduli = rock.young_modulus > 0 && rock.shear_modulus > 0 && spacing > 0;
+    return !numbers                                         ? SceneCheck::number_not_finite
+           : !moduli                                        ? SceneCheck::modulus_not_positive
+           : rock.tensile_strength < 0 || rock.cohesion < 0 ? SceneCheck::strength_negative
+           : !is_friction(rock.friction_angle)              ? SceneCheck::friction_out_of_range
+                                                            : SceneCheck::valid;
+}
+
 SceneCheck check_material(const JointMaterial& joint) {
     const double residual = joint.residual_friction_angle.value_or(joint.friction_angle);
     const bool numbers = finite({joint.normal_stiffness, joint.shear_stiffness, joint.friction_angle, residual,
@@ -98,6 +110,7 @@ SceneCheck check_material(const JointMaterial& joint) {
            : !(joint.normal_stiffness > 0 && joint.shear_stiffness > 0) ? SceneCheck::stiffness_not_positive
            : !frictions                                                 ? SceneCheck::friction_out_of_range
            : !strengths                                                 ? SceneCheck::strength_negative
+           : joint.bond                                                 ? check_rock(*joint.bond)
                                                                         : SceneCheck::valid;
 }
 
@@ -240,20 +253,6 @@ SceneFault check_shaking(const RelaxationScene& scene) {
                                          : SceneCheck::valid};
 }
 
-SceneFault check_bond_materials(const RelaxationScene& scene) {
-    return first_fault(scene.bond_material, [](const BondMaterial& material) {
-        const double spacing = material.spacing.value_or(1);
-        const bool numbers = finite({material.young_modulus, material.shear_modulus, material.tensile_strength,
-                                     material.cohesion, material.friction_angle, spacing});
-        const bool moduli = material.young_modulus > 0 && material.shear_modulus > 0 && spacing > 0;
-        return !numbers                                                 ? SceneCheck::number_not_finite
-               : !moduli                                                ? SceneCheck::modulus_not_positive
-               : material.tensile_strength < 0 || material.cohesion < 0 ? SceneCheck::strength_negative
-               : !is_friction(material.friction_angle)                  ? SceneCheck::friction_out_of_range
-                                                                        : SceneCheck::valid;
-    });
-}
-
 SceneFault check_bonds(const RelaxationScene& scene) {
     if (scene.bond.empty()) {
         return {};
@@ -265,12 +264,15 @@ SceneFault check_bonds(const RelaxationScene& scene) {
         }
         const CornerRange edges = bodies.range[bond.block];
         const CornerRange other_edges = bodies.range[bond.other];
+        if (bond.edge >= edges.size() || bond.other_edge >= other_edges.size()) {
+            return SceneCheck::unknown_edge;
+        }
+        const std::size_t edge = edges.begin + bond.edge;
+        const std::size_t other_edge = other_edges.begin + bond.other_edge;
         const bool both_fixed = scene.block[bond.block].fixed && scene.block[bond.other].fixed;
-        return bond.edge >= edges.size() || bond.other_edge >= other_edges.size() ? SceneCheck::unknown_edge
-               : bond.material && *bond.material >= scene.bond_material.size()    ? SceneCheck::unknown_material
-               : both_fixed || !shared_face(bodies, edges.begin + bond.edge, other_edges.begin + bond.other_edge)
-                   ? SceneCheck::bond_without_face
-                   : SceneCheck::valid;
+        return bond.of_rock && !joint_between(scene, bodies, edge, other_edge).bond ? SceneCheck::unknown_material
+               : both_fixed || !shared_face(bodies, edge, other_edge)               ? SceneCheck::bond_without_face
+                                                                                    : SceneCheck::valid;
     });
 }
 
@@ -311,9 +313,8 @@ SceneFault check_settings(const RelaxationSettings& settings) {
 
 SceneFault check_scene(const RelaxationScene& scene) {
     // Blocks are checked first: stiffnesses that follow from their weights are wrong if those are.
-    for (const auto check :
-         {check_gravity, check_blocks, check_materials, check_stiffness, check_forces, check_bolts, check_pressures,
-          check_motions, check_removals, check_shaking, check_bond_materials, check_bonds, check_belt}) {
+    for (const auto check : {check_gravity, check_blocks, check_materials, check_stiffness, check_forces, check_bolts,
+                             check_pressures, check_motions, check_removals, check_shaking, check_bonds, check_belt}) {
         const SceneFault fault = check(scene);
         if (fault.check != SceneCheck::valid) {
             return fault;

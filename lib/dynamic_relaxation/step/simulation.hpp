@@ -91,6 +91,8 @@ class Simulation {
     StaticSolveSettings static_solve_settings() const;
     void start_in_equilibrium_with_bolts(JointsAtStart joints);
     bool start_in_equilibrium(JointsAtStart joints, BoltsAtStart bolts);
+    // Returns the state left; what it took counts on.
+    RelaxationState go_on_from(RelaxationState state);
     bool may_need_steps() const;
     bool solve_in_steps(bool first, std::span<const HeldByBolt> bolts, const StaticSolveSettings& limits);
     bool solve_under(double load_share, bool first, std::span<const HeldByBolt> bolts,

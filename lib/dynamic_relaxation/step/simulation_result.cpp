@@ -72,7 +72,7 @@ RelaxationResult Simulation::result() const {
     result.unbalanced_ratio = std::max(state_.unbalanced, state_.unbalanced_then);
     result.first_crack = state_.first_crack;
     for (std::size_t bond = 0; bond < scene_.bond.size(); ++bond) {
-        result.broken_bonds += scene_.bond[bond].material && is_broken(state_.bond[bond].state) ? 1 : 0;
+        result.broken_bonds += scene_.bond[bond].of_rock && is_broken(state_.bond[bond].state) ? 1 : 0;
     }
     result.energy_balance = energy_balance();
     result.deepest = deepest_contact(bodies_, state_);

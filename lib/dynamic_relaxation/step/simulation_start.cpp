@@ -77,7 +77,7 @@ void Simulation::take_away_what_is_not_there() {
         if (removal.time >= 0) {
             continue;
         }
-        state_.removed[removal.block] = 1;
+        state_.removed[removal.block] = taken_away;
         for (std::size_t index = 0; index < state_.bond.size(); ++index) {
             const SharedFace& face = bonds_.list()[index].face;
             if (face.block == removal.block || face.other == removal.block) {
@@ -130,10 +130,7 @@ void Simulation::start_in_equilibrium_with_bolts(JointsAtStart joints) {
         put_in_bolts(scene_, bodies_, state_);
         return;
     }
-    before->contacts_evaluated = state_.contacts_evaluated;
-    state_ = std::move(*before);
-    bonds_.resume(state_.bond);
-    just_broken_.clear();
+    go_on_from(std::move(*before));
     start_in_equilibrium(joints, BoltsAtStart::stretching);
 }
 
@@ -164,12 +161,6 @@ bool Simulation::start_in_equilibrium(JointsAtStart joints, BoltsAtStart bolts) 
     if (!before || stopped()) {
         return false;
     }
-    const auto go_on_from = [&](RelaxationState state) {
-        state.contacts_evaluated = state_.contacts_evaluated;
-        std::swap(state_, state);
-        bonds_.resume(state_.bond);
-        return state;
-    };
     RelaxationState under_all_at_once = go_on_from(std::move(*before));
     StaticSolveSettings without_creep = limits;
     without_creep.creep = Creep::none;
@@ -178,6 +169,13 @@ bool Simulation::start_in_equilibrium(JointsAtStart joints, BoltsAtStart bolts) 
     }
     go_on_from(std::move(under_all_at_once));
     return false;
+}
+
+RelaxationState Simulation::go_on_from(RelaxationState state) {
+    state.contacts_evaluated = state_.contacts_evaluated;
+    std::swap(state_, state);
+    bonds_.resume(state_.bond);
+    return state;
 }
 
 // Slender bonded columns lean far on each other before the full load is in balance, and rounds of the static solver

@@ -27,7 +27,7 @@ std::vector<BrokenBond> broken_bonds(const RelaxationScene& scene, const Bodies&
     for (std::size_t index = 0; index < scene.bond.size(); ++index) {
         const BondMemory& memory = state.bond[index];
         const FaceBond& bond = scene.bond[index];
-        if (!is_broken(memory.state) || !bond.material) {
+        if (!is_broken(memory.state) || !bond.of_rock) {
             continue;
         }
         const std::optional<SharedFace> face =
@@ -45,7 +45,7 @@ std::vector<OpenJoint> open_joints(const RelaxationScene& scene, const Bodies& b
                                    double least) {
     std::set<std::pair<std::size_t, std::size_t>> bonded;
     for (const FaceBond& bond : scene.bond) {
-        if (!bond.material) {
+        if (!bond.of_rock) {
             continue;
         }
         bonded.emplace(edge_of(bodies, bond.block, bond.edge), edge_of(bodies, bond.other, bond.other_edge));

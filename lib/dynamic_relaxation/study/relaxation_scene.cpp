@@ -31,18 +31,8 @@ JointMaterial material_of(const RelaxationJoint& joint) {
             joint.residual_friction_angle,
             joint.cohesion.value_or(0),
             joint.tensile_strength.value_or(0),
-            {},
+            joint.bond,
             joint.residual_cohesion.value_or(0)};
-}
-
-// The materials are those of the joints, in the order of the case.
-void add_bonds(RelaxationScene& scene, const std::vector<RelaxationJoint>& joints) {
-    for (std::size_t index = 0; index < joints.size(); ++index) {
-        if (joints[index].bond) {
-            scene.material[index].bond = scene.bond_material.size();
-            scene.bond_material.push_back(*joints[index].bond);
-        }
-    }
 }
 
 // A normal deviate within twice the deviation, the same on every machine: Marsaglia's polar method on the bits of the
@@ -142,7 +132,6 @@ RelaxationScene standing_scene(const Standing& standing, RelaxationScene (*draw)
         scatter_heights(blocks, *standing.scatter, random);
     }
     RelaxationScene scene = draw(blocks);
-    add_bonds(scene, {standing.interface, standing.base});
     if (standing.scatter) {
         scatter_friction(scene, blocks.block.size(), *standing.scatter, random);
     }
@@ -165,7 +154,6 @@ RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
     for (const RelaxationJoint& joint : polygons.joint) {
         scene.material.push_back(material_of(joint));
     }
-    add_bonds(scene, polygons.joint);
     scene.gravity.tilt = scene.gravity.final_tilt = polygons.tilt;
     for (const RelaxationPolygon& polygon : polygons.block) {
         RelaxationBlock block{{}, polygon.density};
@@ -183,12 +171,9 @@ RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
 RelaxationScene blocks_of(const RelaxationSlope& slope) {
     SlopeScene made = slope_scene(slope);
     RelaxationScene scene;
-    std::vector<RelaxationJoint> joints;
     for (const SlopeJoint& joint : slope.joint) {
-        joints.push_back(joint.strength);
         scene.material.push_back(material_of(joint.strength));
     }
-    add_bonds(scene, joints);
     scene.gravity.tilt = scene.gravity.final_tilt = slope.tilt.value_or(0);
     scene.block = std::move(made.block);
     scene.pressure = std::move(made.pressure);

@@ -405,15 +405,14 @@ class PathSearch {
 // twice as many steps as the runs of the search, at least a thousand. Interrupted where no ratio was found.
 std::pair<double, RelaxationOutcome> tried_below(const RelaxationStudy& study, const CriticalPlan& plan,
                                                  LoadingPath path, const CriticalAnswer& found, double share,
-                                                 double stiffness, const RelaxationWatch& watch) {
+                                                 double stiffness, const StudyWork& of_search) {
     const double value = found.stands < found.fails ? share * found.stands : found.stands / share;
     if (found.status != CriticalStatus::found) {
         return {value, RelaxationOutcome::interrupted};
     }
     constexpr std::uint64_t fewest_steps = 1000;
     constexpr std::uint64_t without_runs = 2;  // values tried over runs made, about
-    StudyWork work;
-    work.watch = watch;
+    const StudyWork work{.watch = of_search.watch, .stop = of_search.stop};
     StudyProgress whole;
     SearchProgress progress;
     PathSearch search(study, plan, path, work, whole, progress);
@@ -450,24 +449,24 @@ CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work
 }
 
 std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const CriticalAnswer& found,
-                                        const RelaxationWatch& watch) {
+                                        const StudyWork& work) {
     const CriticalPlan plan = critical_plan(study);
     if (found.path != LoadingPath::consolidated || plan.path.size() != 1 || !plan.is_ratio()) {
         return std::nullopt;
     }
-    const auto [value, outcome] = tried_below(study, plan, LoadingPath::preloaded, found, 0.98, 1, watch);
+    const auto [value, outcome] = tried_below(study, plan, LoadingPath::preloaded, found, 0.98, 1, work);
     const bool stands = outcome == RelaxationOutcome::equilibrium;
     return stands || shows_failure(outcome) ? std::optional(OtherPath{value, stands}) : std::nullopt;
 }
 
 std::optional<double> fails_if_softer(const RelaxationStudy& study, const CriticalAnswer& found,
-                                      const RelaxationWatch& watch) {
+                                      const StudyWork& work) {
     constexpr std::size_t few_blocks = 200;
     const CriticalPlan plan = critical_plan(study);
     if (!plan.is_ratio() || relaxation_scene(study).block.size() > few_blocks) {
         return std::nullopt;
     }
-    const auto [value, outcome] = tried_below(study, plan, found.path, found, 0.95, 0.1, watch);
+    const auto [value, outcome] = tried_below(study, plan, found.path, found, 0.95, 0.1, work);
     return shows_failure(outcome) ? std::optional(value) : std::nullopt;
 }
 

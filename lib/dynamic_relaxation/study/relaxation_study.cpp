@@ -44,12 +44,12 @@ bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bo
     return true;
 }
 
-namespace {
-
 Simulation begun_or_resumed(const RelaxationScene& scene, const RelaxationSettings& settings,
                             std::optional<RelaxationState> state, const std::atomic<bool>* stop) {
     return state ? Simulation(scene, settings, std::move(*state)) : Simulation(scene, settings, stop);
 }
+
+namespace {
 
 bool ends_with_duration(const RelaxationStudy& study) {
     const RelaxationNumerics numerics = study.settings.value_or(RelaxationNumerics{});

@@ -320,13 +320,13 @@ struct OtherPath {
 // Nothing where the search was on other paths, too, or on another one, found no value, or this run reached no verdict
 // in twice as many steps as the runs of the search, at least a thousand.
 std::optional<OtherPath> try_other_path(const RelaxationStudy& study, const CriticalAnswer& found,
-                                        const RelaxationWatch& watch = {});
+                                        const StudyWork& work = {});
 
 // Whether the ratio found depends on the stiffness of the joints, which is seldom known: 5 % below the one at which at
 // most 200 blocks were found to stand, they fail with joints of a tenth of it. Returns that value; nothing if they
 // stand, or as above.
 std::optional<double> fails_if_softer(const RelaxationStudy& study, const CriticalAnswer& found,
-                                      const RelaxationWatch& watch = {});
+                                      const StudyWork& work = {});
 
 // All outputs of a run, as named numbers.
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);

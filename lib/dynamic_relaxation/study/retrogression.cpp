@@ -94,7 +94,7 @@ class Retrogression {
         }
         made.stage = progress_.stage;
         // Afterwards `progress` holds the complete last run, so that a continuation finds the same end.
-        progress_.state = at_rest_ ? at_rest_ : made.end;
+        progress_.state = cut_short_ ? std::nullopt : at_rest_ ? at_rest_ : made.end;
         if (made.failed()) {
             progress_.stage.pop_back();
         }
@@ -125,7 +125,7 @@ class Retrogression {
 
     void take_away(const FailureStage& stage) {
         for (const std::uint64_t block : stage.block) {
-            gone_[block] = 1;
+            gone_[block] = taken_away;
         }
     }
 
@@ -133,15 +133,19 @@ class Retrogression {
     bool run_stage(RelaxationRun& made) {
         std::optional<RelaxationState> begun = std::exchange(progress_.state, {});
         at_rest_.reset();
-        Simulation simulation =
-            begun ? Simulation(made.scene, settings_, std::move(*begun)) : Simulation(made.scene, settings_);
-        const bool ended = go_on(
-            simulation, work_, [&](double share) { return !work_.watch || work_.watch(share_done(share)); },
-            [&] {
-                progress_.state = simulation.state();
-                work_.keep(progress_);
-            },
-            [] {});
+        const std::atomic<bool>* stop = begun ? nullptr : work_.stop;
+        Simulation simulation = begun_or_resumed(made.scene, settings_, std::move(begun), stop);
+        cut_short_ = stop != nullptr && *stop;
+        simulation.let_finish();
+        const bool ended =
+            !cut_short_ &&
+            go_on(
+                simulation, work_, [&](double share) { return !work_.watch || work_.watch(share_done(share)); },
+                [&] {
+                    progress_.state = simulation.state();
+                    work_.keep(progress_);
+                },
+                [] {});
         made.end = simulation.state();
         made.result = simulation.result();
         if (auto failed = ended ? failed_at_rest(simulation, initial_contact(study_)) : std::nullopt) {
@@ -149,7 +153,6 @@ class Retrogression {
             at_rest_ = std::exchange(made.end, std::move(failed));
         }
         if (!ended) {
-            progress_.state = simulation.state();
             made.result.outcome = RelaxationOutcome::interrupted;
         }
         if (made.result.outcome != RelaxationOutcome::onset) {
@@ -185,7 +188,7 @@ class Retrogression {
             falling = blocks_without_hold(scene_without_what_failed(), bodies_, faces_, gone_);
             for (const std::size_t block : falling) {
                 stage.block.push_back(block);
-                gone_[block] = 1;
+                gone_[block] = taken_away;
             }
         } while (!falling.empty());
     }
@@ -225,6 +228,7 @@ class Retrogression {
     const RelaxationStudy& study_;
     const StudyWork& work_;
     StudyProgress& progress_;
+    bool cut_short_ = false;                       // the static start of the last run was stopped
     std::optional<RelaxationState> at_rest_ = {};  // of the last stage, if its blocks failed at rest
     RelaxationScene whole_;
     RelaxationSettings settings_;

@@ -28,7 +28,7 @@ bool is_static(const RelaxationScene& scene, double time) {
 std::vector<char> all_removed(const RelaxationScene& scene) {
     std::vector<char> removed(scene.block.size(), 0);
     for (const Removal& removal : scene.removal) {
-        removed[removal.block] = 1;
+        removed[removal.block] = taken_away;
     }
     return removed;
 }
@@ -42,18 +42,35 @@ std::vector<BlockForce> all_loads(const RelaxationScene& scene, const Bodies& bo
     return load;
 }
 
-FaceAssembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces,
-                         const std::vector<char>& removed, bool tips_bear) {
-    const std::vector<Motion> unmoved(bodies.size());
-    const std::vector<BlockForce> load = all_loads(scene, bodies, removed, unmoved);
-    const BlocksUnderLoad blocks{scene, bodies, bodies.fixed, removed, unmoved, load};
-    FaceAssembly made = face_assembly(blocks, faces);
-    if (tips_bear) {
-        add_tips_on_edges(blocks, faces, made);
+// The blocks as they are drawn, under all loads and without those that are taken away.
+class DrawnBlocks {
+  public:
+    explicit DrawnBlocks(const RelaxationScene& scene)
+        : scene_(scene),
+          bodies_(make_bodies(scene)),
+          removed_(all_removed(scene)),
+          faces_(find_shared_faces(bodies_, closed_joint, removed_)),
+          unmoved_(bodies_.size()),
+          load_(all_loads(scene, bodies_, removed_, unmoved_)) {}
+
+    // Faces, tips on edges and bolts, with all strengths multiplied.
+    FaceAssembly assembly(double factor) const {
+        const RelaxationScene scene = with_multiplied_strength(scene_, factor);
+        const BlocksUnderLoad blocks{scene, bodies_, bodies_.fixed, removed_, unmoved_, load_};
+        FaceAssembly made = face_assembly(blocks, faces_);
+        add_tips_on_edges(blocks, faces_, made);
         add_bolts(blocks, made);
+        return made;
     }
-    return made;
-}
+
+  private:
+    const RelaxationScene& scene_;
+    Bodies bodies_;
+    std::vector<char> removed_;
+    std::vector<SharedFace> faces_;
+    std::vector<Motion> unmoved_;
+    std::vector<BlockForce> load_;
+};
 
 std::vector<Motion> motion_of_blocks(const LeastImbalance& found, const FaceAssembly& made, std::size_t blocks) {
     std::vector<Motion> motion(blocks);
@@ -97,16 +114,13 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
     if (!is_static(scene, 0) || !scene.bolt.empty()) {
         return std::nullopt;
     }
-    const Bodies bodies = make_bodies(scene);
-    const std::vector<char> removed = all_removed(scene);
-    const std::vector<SharedFace> faces = find_shared_faces(bodies, closed_joint, removed);
+    const DrawnBlocks blocks(scene);
     constexpr double most = 1e6;  // blocks that stand with less strength stand without
     constexpr double accuracy = 1e-6;
     double standing = 0;
     double failing = infinity;
     for (double factor = 1; failing > (1 + accuracy) * standing;) {
-        const RelaxationScene reduced = with_multiplied_strength(scene, 1 / factor);
-        const std::optional<bool> holds = stands(assembly_of(reduced, bodies, faces, removed, true).assembly);
+        const std::optional<bool> holds = stands(blocks.assembly(1 / factor).assembly);
         if (!holds || (stop != nullptr && *stop)) {
             return std::nullopt;
         }
@@ -126,10 +140,8 @@ std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene
     if (!is_static(scene, time)) {
         return std::nullopt;
     }
-    const Bodies bodies = make_bodies(scene);
-    const std::vector<char> removed = all_removed(scene);
-    const std::vector<SharedFace> faces = find_shared_faces(bodies, closed_joint, removed);
-    const FaceAssembly made = assembly_of(scene, bodies, faces, removed, true);
+    const DrawnBlocks blocks(scene);
+    const FaceAssembly made = blocks.assembly(1);
     const LeastImbalance found = least_imbalance(made.assembly);
     if (found.status != LpStatus::optimal || found.stands()) {
         return std::nullopt;
@@ -137,13 +149,13 @@ std::optional<StaticMechanism> mechanism_of_statics(const RelaxationScene& scene
     // The greatest strength is asked last: linear programmes with it take longest, and blocks often stand with less.
     std::optional<bool> held;
     for (const double factor : {4.0, 30.0, greatest_strength}) {
-        const RelaxationScene stronger = with_multiplied_strength(scene, factor);
-        held = stands(assembly_of(stronger, bodies, faces, removed, true).assembly);
+        held = stands(blocks.assembly(factor).assembly);
         if (held == true) {
             break;
         }
     }
-    return StaticMechanism{motion_of_blocks(found, made, bodies.size()), held ? std::optional(!*held) : std::nullopt};
+    return StaticMechanism{motion_of_blocks(found, made, scene.block.size()),
+                           held ? std::optional(!*held) : std::nullopt};
 }
 
 std::optional<StaticMechanism> mechanism_where_blocks_landed(const Simulation& at_rest,
@@ -184,7 +196,9 @@ std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const
         bared[face.other] |= gone[face.block];
     }
     // A block that has lost a neighbour does not balance on a tip.
-    const auto [assembly, block_of] = assembly_of(scene, bodies, faces, gone, false);
+    const std::vector<Motion> unmoved(bodies.size());
+    const std::vector<BlockForce> load = all_loads(scene, bodies, gone, unmoved);
+    const auto [assembly, block_of] = face_assembly({scene, bodies, bodies.fixed, gone, unmoved, load}, faces);
     std::vector<std::size_t> falling;
     for (std::size_t body = 0; body < block_of.size(); ++body) {
         const std::size_t block = block_of[body];

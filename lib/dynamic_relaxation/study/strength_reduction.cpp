@@ -47,7 +47,6 @@ std::vector<std::string> with_joints_along(const BlockScene& made_of, std::vecto
 }  // namespace
 
 RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std::size_t> materials, double factor) {
-    std::vector<char> reduced(scene.bond_material.size(), 0);
     for (const std::size_t index : materials) {
         JointMaterial& joint = scene.material[index];
         joint.friction_angle = divided(joint.friction_angle, factor);
@@ -57,12 +56,10 @@ RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std
         joint.cohesion /= factor;
         joint.residual_cohesion /= factor;
         joint.tensile_strength /= factor;
-        if (joint.bond && reduced[*joint.bond] == 0) {
-            BondMaterial& bond = scene.bond_material[*joint.bond];
-            bond.friction_angle = divided(bond.friction_angle, factor);
-            bond.cohesion /= factor;
-            bond.tensile_strength /= factor;
-            reduced[*joint.bond] = 1;
+        if (joint.bond) {
+            joint.bond->friction_angle = divided(joint.bond->friction_angle, factor);
+            joint.bond->cohesion /= factor;
+            joint.bond->tensile_strength /= factor;
         }
     }
     return scene;

@@ -384,7 +384,7 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
         };
         answer.plan = critical_plan(study);
         answer.critical = find_critical(study, how, progress);
-        const auto last_of_all = [&](double) { return how.watch(1); };
+        const StudyWork last_of_all{.watch = [&](double) { return how.watch(1); }, .stop = how.stop};
         answer.other_path = try_other_path(study, *answer.critical, last_of_all);
         answer.fails_if_softer = fails_if_softer(study, *answer.critical, last_of_all);
         answer.bound_of_statics = bound_of_statics(study, *answer.plan, answer.run.scene);

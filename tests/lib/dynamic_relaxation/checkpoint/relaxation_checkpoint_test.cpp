@@ -88,8 +88,7 @@ Case breaking_rock() {
     scene.block[2].fixed = true;
     const double stiffness = 1e5 * 2700 * 9.80665;
     scene.material = {{stiffness, stiffness, 20 * degree}};
-    scene.material[0].bond = 0;
-    scene.bond_material = {{1e8, 4e7, 1e6, 1000, 20 * degree, {}}};
+    scene.material[0].bond = BondMaterial{1e8, 4e7, 1e6, 1000, 20 * degree, {}};
     scene.bond = find_bonds(scene);
     scene.gravity.tilt = scene.gravity.final_tilt = 25 * degree;
     return result;

@@ -38,8 +38,7 @@ RelaxationScene cantilever(std::size_t blocks, double tensile_strength = unbreak
     }
     scene.block.push_back(fixed_block(rectangle(-depth, -depth, depth, 3 * depth)));
     scene.material = {joint(1e6 * density * gravity * depth, degrees(30))};
-    scene.material[0].bond = 0;
-    scene.bond_material = {rock(tensile_strength)};
+    scene.material[0].bond = rock(tensile_strength);
     scene.bond = find_bonds(scene);
     return scene;
 }
@@ -154,8 +153,7 @@ RelaxationScene pair_afloat() {
     RelaxationScene scene;
     scene.block = {{rectangle(0, 0, 1, 1), density}, {rectangle(1, 0.2, 2, 0.6), density}};
     scene.material = {joint(1e9, degrees(30))};
-    scene.material[0].bond = 0;
-    scene.bond_material = {{1e8, 4e7, unbreakable, unbreakable, degrees(30)}};
+    scene.material[0].bond = BondMaterial{1e8, 4e7, unbreakable, unbreakable, degrees(30)};
     scene.gravity.acceleration = 0;
     scene.bond = find_bonds(scene);
     return scene;
@@ -233,9 +231,8 @@ RelaxationScene block_on_slope(double cohesion, double bond_friction, double joi
     plane.friction = joint_friction;
     plane.tilt = tilt;
     RelaxationScene scene = scene_of(plane);
-    scene.material[0].bond = 0;
     // The bond is softer than the joint by four powers of ten.
-    scene.bond_material = {{1e7, 4e6, unbreakable, cohesion, bond_friction}};
+    scene.material[0].bond = BondMaterial{1e7, 4e6, unbreakable, cohesion, bond_friction};
     scene.bond = find_bonds(scene);
     return scene;
 }
@@ -307,8 +304,7 @@ RelaxationScene weak_wall(std::size_t columns, std::size_t rows) {
     }
     scene.block.push_back(fixed_block(rectangle(-2, -1, static_cast<double>(columns) + 4, 1)));
     scene.material = {joint(1e9, degrees(20))};
-    scene.material[0].bond = 0;
-    scene.bond_material = {{1e9, 4e8, 2e4, 4e4, degrees(30)}};
+    scene.material[0].bond = BondMaterial{1e9, 4e8, 2e4, 4e4, degrees(30)};
     scene.gravity.tilt = scene.gravity.final_tilt = degrees(40);
     scene.bond = find_bonds(scene);
     return scene;
@@ -360,8 +356,8 @@ TEST(Bonds, BooksOfABreakingWallBalance) {
     settings.duration = 0.4;
     RelaxationScene scene = weak_wall(4, 4);
     // The bonds are now so strong that some hold.
-    scene.bond_material[0].tensile_strength *= 1.5;
-    scene.bond_material[0].cohesion *= 1.5;
+    scene.material[0].bond->tensile_strength *= 1.5;
+    scene.material[0].bond->cohesion *= 1.5;
     const RelaxationResult result = relax(scene, settings);
     EXPECT_GT(result.broken_bonds, 0U);
     EXPECT_LT(result.broken_bonds, scene.bond.size());
@@ -396,14 +392,14 @@ TEST(Bonds, OfNoUseAreRefused) {
     EXPECT_EQ(fault([](RelaxationScene& one) { one.bond[0].edge = 9; }), SceneCheck::unknown_edge);
     EXPECT_EQ(fault([](RelaxationScene& one) { one.bond[0].other = 9; }), SceneCheck::unknown_block);
     EXPECT_EQ(fault([](RelaxationScene& one) { one.bond[0].other = one.bond[0].block; }), SceneCheck::unknown_block);
-    EXPECT_EQ(fault([](RelaxationScene& one) { one.bond[0].material = 1; }), SceneCheck::unknown_material);
-    EXPECT_EQ(fault([](RelaxationScene& one) { one.bond_material[0].young_modulus = 0; }),
+    EXPECT_EQ(fault([](RelaxationScene& one) { one.material[0].bond.reset(); }), SceneCheck::unknown_material);
+    EXPECT_EQ(fault([](RelaxationScene& one) { one.material[0].bond->young_modulus = 0; }),
               SceneCheck::modulus_not_positive);
-    EXPECT_EQ(fault([](RelaxationScene& one) { one.bond_material[0].spacing = 0; }), SceneCheck::modulus_not_positive);
-    EXPECT_EQ(fault([](RelaxationScene& one) { one.bond_material[0].cohesion = -1; }), SceneCheck::strength_negative);
-    EXPECT_EQ(fault([](RelaxationScene& one) { one.bond_material[0].friction_angle = 2; }),
+    EXPECT_EQ(fault([](RelaxationScene& one) { one.material[0].bond->spacing = 0; }), SceneCheck::modulus_not_positive);
+    EXPECT_EQ(fault([](RelaxationScene& one) { one.material[0].bond->cohesion = -1; }), SceneCheck::strength_negative);
+    EXPECT_EQ(fault([](RelaxationScene& one) { one.material[0].bond->friction_angle = 2; }),
               SceneCheck::friction_out_of_range);
-    EXPECT_EQ(fault([](RelaxationScene& one) { one.bond_material[0].tensile_strength = std::nan(""); }),
+    EXPECT_EQ(fault([](RelaxationScene& one) { one.material[0].bond->tensile_strength = std::nan(""); }),
               SceneCheck::number_not_finite);
 }
 

@@ -42,9 +42,8 @@ RelaxationScene columns(const std::vector<double>& heights, double tensile_stren
     scene.block.push_back(fixed_block(rectangle(-3, -1, x + 6, 1)));
     scene.block.back().joint = {1, 1, 1, 1};
     scene.material = {joint(1e12, joint_friction), joint(1e12, degrees(30))};
-    scene.material[1].bond = 0;
     // The bond has the stiffness of a foot, less than that of the joints.
-    scene.bond_material = {{8e10, 8e10, tensile_strength, 1e9, degrees(30), 1.0}};
+    scene.material[1].bond = BondMaterial{8e10, 8e10, tensile_strength, 1e9, degrees(30), 1.0};
     scene.gravity.tilt = scene.gravity.final_tilt = dip;
     scene.bond = find_bonds(scene);
     return scene;
@@ -119,7 +118,7 @@ class WeakenedColumns {
         : together_(analyse(slope_of(heights)).required_tensile_strength),
           scene_(columns(heights, 100 * together_, piece)),
           settings_(until_onset()) {
-        scene_.bond_material[0].spacing.reset();
+        scene_.material[1].bond->spacing.reset();
         settings_.local_damping = 0.5;
         Simulation strong(scene_, settings_);
         while (strong.running()) {
@@ -132,7 +131,7 @@ class WeakenedColumns {
     }
 
     bool stand(double share) {
-        scene_.bond_material[0].tensile_strength = share * together_;
+        scene_.material[1].bond->tensile_strength = share * together_;
         Simulation weakened(scene_, settings_, at_rest_);
         while (weakened.running()) {
             weakened.step();

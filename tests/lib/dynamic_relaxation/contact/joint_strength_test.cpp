@@ -204,7 +204,7 @@ TEST(JointStrength, IsSpreadWhereItCanBeLost) {
     EXPECT_TRUE(find_bonds(scene).empty());
     scene.material[0].cohesion = 1;
     ASSERT_EQ(find_bonds(scene).size(), 1U);
-    EXPECT_FALSE(find_bonds(scene)[0].material);
+    EXPECT_FALSE(find_bonds(scene)[0].of_rock);
 }
 
 TEST(JointStrength, OfTwoFacesTheLesserOfEachStrengthCounts) {
@@ -213,7 +213,7 @@ TEST(JointStrength, OfTwoFacesTheLesserOfEachStrengthCounts) {
     one.cohesion = 1e6;
     one.residual_cohesion = 2e5;
     one.tensile_strength = 1e5;
-    one.bond = 0;
+    one.bond = BondMaterial{20e9, 8e9, 50e3, 15e3, degrees(40)};
     JointMaterial other = joint(2e9, degrees(30));
     other.residual_friction_angle = degrees(25);
     other.cohesion = 3e5;
@@ -230,10 +230,9 @@ TEST(JointStrength, OfTwoFacesTheLesserOfEachStrengthCounts) {
     EXPECT_EQ(both.residual_cohesion, 2e5);
     EXPECT_EQ(both.tensile_strength, 0);
     EXPECT_FALSE(both.bond);
-    scene.bond_material = {{20e9, 8e9, 50e3, 100e3, degrees(40)}, {20e9, 8e9, 5e3, 15e3, degrees(20)}};
-    scene.material[1].bond = 1;
-    EXPECT_EQ(joint_between(scene, bodies, bodies.range[0].begin, bodies.range[1].begin + 2).bond, 1U)
-        << "the rock with less cohesion";
+    scene.material[1].bond = BondMaterial{30e9, 6e9, 5e3, 100e3, degrees(20)};
+    EXPECT_EQ(joint_between(scene, bodies, bodies.range[0].begin, bodies.range[1].begin + 2).bond,
+              (BondMaterial{20e9, 6e9, 5e3, 15e3, degrees(20)}));
     EXPECT_EQ(joint_between(scene, bodies, bodies.range[0].begin, bodies.range[0].begin), one);
 }
 

@@ -21,8 +21,7 @@ RelaxationScene cantilever(double tensile_strength) {
     }
     scene.block.push_back(fixed_block(rectangle(-depth, -depth, depth, 3 * depth)));
     scene.material = {joint(1e6 * density * gravity * depth, degrees(30))};
-    scene.material[0].bond = 0;
-    scene.bond_material = {{1e11, 4e10, tensile_strength, 10 * tensile_strength, degrees(30), {}}};
+    scene.material[0].bond = BondMaterial{1e11, 4e10, tensile_strength, 10 * tensile_strength, degrees(30), {}};
     scene.bond = find_bonds(scene);
     return scene;
 }

@@ -156,9 +156,8 @@ TEST(StrengthReduction, OnlyTheJointsNamedAreReduced) {
 TEST(StrengthReduction, DividesEveryStrengthAndNothingElse) {
     RelaxationScene scene;
     JointMaterial joint{1e9, 2e9, degrees(40), degrees(30), 5e3, 2e3};
-    joint.bond = 0;
+    joint.bond = BondMaterial{5e9, 2e9, 4e5, 6e5, degrees(45), {}};
     scene.material = {joint, {1e9, 1e9, degrees(89.9)}};
-    scene.bond_material = {{5e9, 2e9, 4e5, 6e5, degrees(45), {}}};
     const RelaxationScene half = with_reduced_strength(scene, std::vector<std::size_t>{0}, 2);
     EXPECT_DOUBLE_EQ(std::tan(half.material[0].friction_angle), std::tan(degrees(40)) / 2);
     EXPECT_DOUBLE_EQ(std::tan(*half.material[0].residual_friction_angle), std::tan(degrees(30)) / 2);
@@ -166,10 +165,10 @@ TEST(StrengthReduction, DividesEveryStrengthAndNothingElse) {
     EXPECT_EQ(half.material[0].tensile_strength, 1e3);
     EXPECT_EQ(half.material[0].normal_stiffness, 1e9);
     EXPECT_EQ(half.material[0].shear_stiffness, 2e9);
-    EXPECT_DOUBLE_EQ(std::tan(half.bond_material[0].friction_angle), 0.5);
-    EXPECT_EQ(half.bond_material[0].cohesion, 3e5);
-    EXPECT_EQ(half.bond_material[0].tensile_strength, 2e5);
-    EXPECT_EQ(half.bond_material[0].young_modulus, 5e9);
+    EXPECT_DOUBLE_EQ(std::tan(half.material[0].bond->friction_angle), 0.5);
+    EXPECT_EQ(half.material[0].bond->cohesion, 3e5);
+    EXPECT_EQ(half.material[0].bond->tensile_strength, 2e5);
+    EXPECT_EQ(half.material[0].bond->young_modulus, 5e9);
     EXPECT_EQ(half.material[1].friction_angle, degrees(89.9));
     // Raised strength stays below the limit above which scenes are refused.
     const RelaxationScene strong = with_reduced_strength(scene, std::vector<std::size_t>{0, 1}, 1e-4);

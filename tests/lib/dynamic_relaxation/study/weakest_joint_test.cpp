@@ -417,8 +417,7 @@ TEST(WeakestJoint, TheBoundOfStaticsBondsNoOpenFace) {
     const OnPlane plane{.height_to_width = 0.25, .width = 4, .friction = degrees(20), .tilt = degrees(40)};
     RelaxationScene scene = relaxation_scenes::scene_of(plane);
     scene.material.push_back(scene.material[0]);
-    scene.material[1].bond = 0;
-    scene.bond_material = {{20e9, 8e9, 10e3, 30e3, degrees(40)}};
+    scene.material[1].bond = BondMaterial{20e9, 8e9, 10e3, 30e3, degrees(40)};
     scene.block[0].outline.insert(scene.block[0].outline.begin() + 1, PlanePoint<>(2, 0));
     scene.block[0].joint = {0, 1, 0, 0, 0};
     scene.block[1].joint = {1, 1, 1, 1};
