@@ -1,7 +1,9 @@
 #include "dynamic_relaxation/blocks/bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <tuple>
 
@@ -133,6 +135,17 @@ JointMaterial lesser_of(const JointMaterial& one, const JointMaterial& two) {
     joint.tensile_strength = std::min(one.tensile_strength, two.tensile_strength);
     joint.bond = one.bond && two.bond ? std::optional(lesser_of(*one.bond, *two.bond)) : std::nullopt;
     return joint;
+}
+
+bool holds_at_least(const JointMaterial& one, const JointMaterial& other) {
+    const auto strengths = [](const JointMaterial& joint) {
+        const BondMaterial rock = joint.bond.value_or(BondMaterial{});
+        return std::array{joint.friction_angle,   joint.residual_friction_angle.value_or(joint.friction_angle),
+                          joint.cohesion,         joint.residual_cohesion,
+                          joint.tensile_strength, rock.friction_angle,
+                          rock.cohesion,          rock.tensile_strength};
+    };
+    return std::ranges::equal(strengths(one), strengths(other), std::greater_equal());
 }
 
 JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,

@@ -140,6 +140,9 @@ BondMaterial lesser_of(const BondMaterial& one, const BondMaterial& two);
 // where both are. Its stiffness is that of the one with less friction, or with less cohesion if both have the same.
 JointMaterial lesser_of(const JointMaterial& one, const JointMaterial& two);
 
+// Whether a joint and the rock that bonds it hold at least as much as another one in each of their strengths.
+bool holds_at_least(const JointMaterial& one, const JointMaterial& other);
+
 // The joint between two edges that lie on each other: the lesser of their joints.
 JointMaterial joint_between(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
                             std::size_t other_edge);

@@ -8,8 +8,8 @@
 namespace delabole {
 
 enum class RelaxationStart {
-    preloaded,  // springs compressed to equilibrium under the first loads; few blocks with cohesion or bonds that find
-                // none under all loads at once seek one under loads that grow
+    preloaded,  // springs compressed to equilibrium under the first loads; if fewer than 400 free blocks with cohesion
+                // or bonds find none, it is sought again under loads that grow in ten steps
     dropped,    // springs free, full gravity at once
     ramped,     // springs free, gravity grows from zero over `ramp_time`
     stepped,    // as preloaded, but the first loads grow in ten equal steps, with an equilibrium after each

@@ -33,9 +33,10 @@ std::optional<std::size_t> index_of(const std::vector<std::string>& names, const
 }
 
 // For each joint, how many are weaker: of two, the one with less shear strength, the rock that bonds it included, under
-// an eighth of the weight of rock as high as the outline, or else with less tensile strength. So much presses on the
-// joints below a mass that is a quarter as thick as the slope is high. Where more presses, friction is overrated by the
-// ratio of two tangents at most; where less does, cohesion would be overrated without limit.
+// an eighth of the weight of rock as high as the outline, or else with less tensile strength or less shear strength
+// after slip. So much presses on average on the joints below a mass that is a quarter as thick as the slope is high,
+// at most. Where more presses, friction is overrated by the ratio of two tangents at most; where less does, cohesion
+// would be overrated without limit.
 std::vector<std::size_t> ranks_of(const RelaxationSlope& slope) {
     const std::vector<SlopeJoint>& joints = slope.joint;
     double density = 0;
@@ -56,7 +57,9 @@ std::vector<std::size_t> ranks_of(const RelaxationSlope& slope) {
             shear = std::max(shear, own.bond->cohesion + pressure * std::tan(own.bond->friction_angle));
             tension = std::max(tension, own.bond->tensile_strength);
         }
-        return std::pair(shear, tension);
+        const double residual = own.residual_cohesion.value_or(0) +
+                                pressure * std::tan(own.residual_friction_angle.value_or(own.friction_angle));
+        return std::tuple(shear, tension, residual);
     };
     std::vector<std::size_t> ranks;
     for (const SlopeJoint& joint : joints) {

@@ -22,28 +22,6 @@ double divided(double friction_angle, double factor) {
 template <class Scene>
 inline constexpr bool is_standing = std::is_same_v<Scene, RelaxationRow> || std::is_same_v<Scene, RelaxationColumns>;
 
-// The joints named and those that run along them in a slope: of two along each other only one is in the scene.
-std::vector<std::string> with_joints_along(const BlockScene& made_of, std::vector<std::string> names) {
-    const auto* slope = std::get_if<RelaxationSlope>(&made_of);
-    if (slope == nullptr || names.empty()) {
-        return names;
-    }
-    const auto has = [&](std::size_t joint) {
-        return std::ranges::find(names, slope->joint[joint].name) != names.end();
-    };
-    const std::set<std::pair<std::size_t, std::size_t>> along = slope_scene(*slope).section.along_each_other;
-    for (bool any = true; any;) {
-        any = false;
-        for (const auto& [one, other] : along) {
-            if (has(one) != has(other)) {
-                names.push_back(slope->joint[has(one) ? other : one].name);
-                any = true;
-            }
-        }
-    }
-    return names;
-}
-
 }  // namespace
 
 RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std::size_t> materials, double factor) {
@@ -91,6 +69,27 @@ std::vector<std::string> joint_names(const BlockScene& scene) {
         scene);
 }
 
+std::vector<std::string> joints_reduced(const BlockScene& made_of, std::vector<std::string> names) {
+    const auto* slope = std::get_if<RelaxationSlope>(&made_of);
+    if (slope == nullptr || names.empty()) {
+        return names;
+    }
+    const auto has = [&](std::size_t joint) {
+        return std::ranges::find(names, slope->joint[joint].name) != names.end();
+    };
+    const std::set<std::pair<std::size_t, std::size_t>> along = slope_scene(*slope).section.along_each_other;
+    for (bool any = true; any;) {
+        any = false;
+        for (const auto& [one, other] : along) {
+            if (has(one) != has(other)) {
+                names.push_back(slope->joint[has(one) ? other : one].name);
+                any = true;
+            }
+        }
+    }
+    return names;
+}
+
 std::vector<std::size_t> materials_of_joints(const BlockScene& made_of, const RelaxationScene& scene,
                                              const std::vector<std::string>& names) {
     std::vector<std::size_t> joints(scene.material.size());
@@ -115,7 +114,7 @@ std::vector<std::size_t> materials_of_joints(const BlockScene& made_of, const Re
         },
         made_of);
     const std::vector<std::string> known = joint_names(made_of);
-    const std::vector<std::string> reduced = with_joints_along(made_of, names);
+    const std::vector<std::string> reduced = joints_reduced(made_of, names);
     std::vector<std::size_t> materials;
     for (std::size_t material = 0; material < joints.size(); ++material) {
         if (reduced.empty() || std::ranges::find(reduced, known[joints[material]]) != reduced.end()) {

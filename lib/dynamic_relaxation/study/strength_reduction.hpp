@@ -34,9 +34,12 @@ RelaxationScene with_multiplied_strength(const RelaxationScene& scene, double fa
 // "1", "2", ... of blocks.
 std::vector<std::string> joint_names(const BlockScene& scene);
 
-// The scene's materials that come from the named joints of `made_of` and from those along them (of two joints along
-// each other only the weaker one is in the scene), or from all joints if none is named. Scatter makes more materials
-// than there are joints.
+// The joints named and those that run along them in a slope, which are reduced together: of two joints along each other
+// only the weaker one is in the scene.
+std::vector<std::string> joints_reduced(const BlockScene& made_of, std::vector<std::string> names);
+
+// The scene's materials that come from the joints reduced with those named, or from all joints if none is named.
+// Scatter makes more materials than there are joints.
 std::vector<std::size_t> materials_of_joints(const BlockScene& made_of, const RelaxationScene& scene,
                                              const std::vector<std::string>& names);
 

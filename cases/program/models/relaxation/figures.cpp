@@ -3,6 +3,7 @@
 #include "cases/program/case/model_cases.hpp"
 #include "dynamic_relaxation/scene/water_table.hpp"
 #include "dynamic_relaxation/study/cracks.hpp"
+#include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/block_figures.hpp"
@@ -185,34 +186,26 @@ Table block_table(const RelaxationRun& made) {
 }
 
 void append_warnings_of_joints_along_joints(const RelaxationSlope& slope, const JointedSection& section,
+                                            const std::vector<JointMaterial>& materials,
                                             const std::optional<CriticalPlan>& plan, Analysis& analysis) {
-    const auto bond_at_least = [](const BondMaterial& one, const BondMaterial& other) {
-        return one.friction_angle >= other.friction_angle && one.cohesion >= other.cohesion &&
-               one.tensile_strength >= other.tensile_strength;
-    };
-    const auto at_least = [&](const RelaxationJoint& one, const RelaxationJoint& other) {
-        return one.friction_angle >= other.friction_angle && one.cohesion.value_or(0) >= other.cohesion.value_or(0) &&
-               one.tensile_strength.value_or(0) >= other.tensile_strength.value_or(0) &&
-               (!other.bond || (one.bond && bond_at_least(*one.bond, *other.bond)));
-    };
-    const auto is_reduced = [&](const SlopeJoint& joint) {
-        return plan && std::ranges::find(plan->joint, joint.name) != plan->joint.end();
-    };
     for (const auto& [one, other] : section.along_each_other) {
-        const std::array joint{&slope.joint[one], &slope.joint[other]};
-        const std::string names = joint[0]->name + " and " + joint[1]->name;
-        if (!at_least(joint[0]->strength, joint[1]->strength) && !at_least(joint[1]->strength, joint[0]->strength)) {
+        if (!holds_at_least(materials[one], materials[other]) && !holds_at_least(materials[other], materials[one])) {
             analysis.warnings.push_back(
-                "the joints " + names +
-                " run along each other, and neither is the weaker one in friction, cohesion, tensile strength and "
-                "bond: the one with less shear strength under an eighth of the slope's height of rock counts, "
-                "elsewhere the other may be the weaker; a joint with the lesser values in place of both is on the safe "
-                "side");
+                "the joints " + slope.joint[one].name + " and " + slope.joint[other].name +
+                " run along each other, and neither is the weaker one in every strength: the one with less shear "
+                "strength under an eighth of the outline's height of rock counts, though the other may be the weaker "
+                "under another stress or after slip; one joint with the lesser value of each strength in place of both "
+                "is on the safe side");
         }
-        if (is_reduced(*joint[0]) != is_reduced(*joint[1])) {
-            analysis.warnings.push_back("the joints " + names +
-                                        " run along each other, and critical.joints names one of them: both are "
-                                        "reduced, which is on the safe side");
+    }
+    if (plan && !plan->joint.empty()) {
+        std::vector<std::string> others = joints_reduced(slope, plan->joint);
+        std::erase_if(
+            others, [&](const std::string& name) { return std::ranges::find(plan->joint, name) != plan->joint.end(); });
+        if (!others.empty()) {
+            analysis.warnings.push_back("critical.joints does not name " + list_in_words(others, " and ") +
+                                        ", but the strength of these joints is divided everywhere, too, since they "
+                                        "run along joints that it names");
         }
     }
 }
@@ -332,7 +325,8 @@ Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
 }  // namespace
 
 void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& made,
-                             const std::optional<CriticalPlan>& plan, Analysis& analysis) {
+                             const std::vector<JointMaterial>& materials, const std::optional<CriticalPlan>& plan,
+                             Analysis& analysis) {
     const JointedSection& section = made.section;
     if (made.beside_frame > 0) {
         analysis.warnings.push_back(value_in_words(made.beside_frame, Dimension::length) +
@@ -355,7 +349,7 @@ void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& mad
                                         ", which holds there like intact rock");
         }
     }
-    append_warnings_of_joints_along_joints(slope, section, plan, analysis);
+    append_warnings_of_joints_along_joints(slope, section, materials, plan, analysis);
     if (section.outline_reversed) {
         analysis.warnings.emplace_back("scene.outline runs clockwise and was turned round");
     }

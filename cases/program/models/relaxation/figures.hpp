@@ -49,9 +49,11 @@ void append_failure_figure(const RelaxationRun& failed, const std::string& title
 // The end of a run: how each block has moved, the velocities, and what has broken.
 Figure mechanism_figure(const RelaxationRun& made, const std::string& title);
 
-// Warns of cuts that divided nothing and of intact rock that had to be divided.
+// Warns of cuts that divided nothing, of intact rock that had to be divided and of joints along each other.
+// `materials`: those of the slope's joints.
 void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& made,
-                             const std::optional<CriticalPlan>& plan, Analysis& analysis);
+                             const std::vector<JointMaterial>& materials, const std::optional<CriticalPlan>& plan,
+                             Analysis& analysis);
 
 // Figure of the blocks shaded by rock with the water table, and the table of cuts.
 void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made, const Sheet& sheet);

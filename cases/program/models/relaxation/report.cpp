@@ -188,17 +188,13 @@ void append_warning_of_unlike_faces(const RelaxationScene& scene, Analysis& anal
     const auto is_unlike = [&](const SharedFace& face) {
         const JointMaterial& one = scene.material[bodies.material[face.edge]];
         const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
-        const auto at_least = [](const JointMaterial& joint, const JointMaterial& other) {
-            return joint.friction_angle >= other.friction_angle && joint.cohesion >= other.cohesion &&
-                   joint.tensile_strength >= other.tensile_strength;
-        };
-        return !at_least(one, two) && !at_least(two, one);
+        return !holds_at_least(one, two) && !holds_at_least(two, one);
     };
     if (const auto first = std::ranges::find_if(faces, is_unlike); first != faces.end()) {
         analysis.warnings.push_back("the joints of the faces at which " + block_name(first->block) + " and " +
                                     block_name(first->other) +
-                                    " touch differ, and neither is the weaker one in friction, cohesion and tensile "
-                                    "strength: the lesser value of each counts, which is on the safe side");
+                                    " touch differ, and neither is the weaker one in every strength: the lesser value "
+                                    "of each counts, which is on the safe side");
     }
 }
 
@@ -415,7 +411,8 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
         }
     }
     if (answer.slope) {
-        append_cutting_warnings(std::get<RelaxationSlope>(study.model.scene), *answer.slope, answer.plan, analysis);
+        append_cutting_warnings(std::get<RelaxationSlope>(study.model.scene), *answer.slope, answer.run.scene.material,
+                                answer.plan, analysis);
     }
     const auto leave_unfinished = [&](std::string_view status, std::string why) {
         if (analysis.unfinished.empty() && !why.empty()) {
