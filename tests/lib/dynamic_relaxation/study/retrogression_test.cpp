@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -146,12 +147,20 @@ TEST(Retrogression, GoesOnFromWhereItWasStopped) {
     StudyWork work;
     work.watch = [&](double) { return ++looks != 2; };
     run(study, work, progress);
-    const RelaxationRun resumed = run(study, {}, progress);
-    EXPECT_EQ(resumed.result.outcome, whole.result.outcome);
-    ASSERT_EQ(resumed.stage.size(), whole.stage.size());
-    for (std::size_t stage = 0; stage < whole.stage.size(); ++stage) {
-        EXPECT_EQ(resumed.stage[stage].block, whole.stage[stage].block);
-        EXPECT_EQ(resumed.stage[stage].steps, whole.stage[stage].steps);
+    StudyProgress in_its_start;
+    const std::atomic<bool> stop = true;
+    StudyWork ended;
+    ended.stop = &stop;
+    EXPECT_EQ(run(study, ended, in_its_start).result.outcome, RelaxationOutcome::interrupted);
+    EXPECT_FALSE(in_its_start.state) << "of a static solve that was ended";
+    for (StudyProgress* const left : {&progress, &in_its_start}) {
+        const RelaxationRun resumed = run(study, {}, *left);
+        EXPECT_EQ(resumed.result.outcome, whole.result.outcome);
+        ASSERT_EQ(resumed.stage.size(), whole.stage.size());
+        for (std::size_t stage = 0; stage < whole.stage.size(); ++stage) {
+            EXPECT_EQ(resumed.stage[stage].block, whole.stage[stage].block);
+            EXPECT_EQ(resumed.stage[stage].steps, whole.stage[stage].steps);
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 #include "dynamic_relaxation/study/failed_at_rest.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
+#include "dynamic_relaxation/study/strength_reduction.hpp"
 
 #include "tests/lib/dynamic_relaxation/relaxation_scenes.hpp"
 #include "tests/support/jointed_slopes.hpp"
@@ -11,6 +12,8 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -218,6 +221,23 @@ TEST(WeakestJoint, AnOpenJointCountsBesideOneThatIsBonded) {
             study.critical = other_alone;
             EXPECT_NEAR(find_critical(study).value(), expected, within_bracket) << first;
         }
+    }
+}
+
+TEST(WeakestJoint, OfEqualPeaksTheOneThatIsWeakerAfterSlipCounts) {
+    for (const bool first : {true, false}) {
+        const SlopeCut lasting = plane("weak", 35, 1);
+        const SlopeCut losing = plane("losing", 35, 1);
+        RelaxationStudy study = two_joints(first ? std::vector{lasting, losing} : std::vector{losing, lasting});
+        auto& slope = std::get<RelaxationSlope>(study.model.scene);
+        slope.joint.push_back({"losing", {}, slope.joint[1].strength});
+        slope.joint[2].strength.residual_friction_angle = degrees(10);
+        std::set<std::size_t> joints;
+        for (const RelaxationBlock& block : slope_scene(slope).block) {
+            joints.insert(block.joint.begin(), block.joint.end());
+        }
+        EXPECT_EQ(joints, (std::set<std::size_t>{0, 2})) << first;
+        EXPECT_EQ(joints_reduced(slope, {"losing"}), (std::vector<std::string>{"losing", "weak"}));
     }
 }
 
