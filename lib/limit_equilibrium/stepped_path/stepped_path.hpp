@@ -69,8 +69,9 @@ struct SteppedPathResult {
         return FieldTable{
             section<&R::limit>("whether limiting equilibrium exists at any strength; abrupt: past the factor of safety "
                                "the mass fails, but its toe is not in equilibrium there"),
-            number<&R::factor_of_safety>(
-                "factor on all strength for limiting equilibrium, of the surface for which it is least"),
+            number<&R::factor_of_safety>("factor on all strength for limiting equilibrium, of the surface for which it "
+                                         "is least; what slides on a "
+                                         "single riser has its own, factor_on_riser, and may fail before"),
             number<&R::factor_on_riser>("factor of safety of what slides on a single riser from the face to the ground "
                                         "behind the crest, a mechanism of its own; infinite if none comes out so, or "
                                         "if the mechanism has no risers"),
