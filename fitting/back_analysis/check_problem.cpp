@@ -229,6 +229,11 @@ std::vector<std::string> check_problem(const FitProblem& problem) {
     if (problem.settings.threads < 1) {
         faults.push_back("settings: threads = " + std::to_string(problem.settings.threads) + " must be at least 1");
     }
+    if (const SurrogateSettings& surrogate = problem.settings.surrogate;
+        surrogate.first_runs && *surrogate.first_runs > surrogate.runs) {
+        faults.push_back("settings: surrogate.first_runs = " + std::to_string(*surrogate.first_runs) +
+                         " must be at most surrogate.runs = " + std::to_string(surrogate.runs));
+    }
     if (problem.posterior && faults.empty()) {
         check_posterior(problem, faults);
     }

@@ -246,7 +246,7 @@ CostlyRuns make_costly_runs(const Misfit& misfit, const Misfit* coarse, const Su
     const std::size_t free = misfit.free_parameters().size();
     const auto most = static_cast<std::size_t>(settings.runs);
     const std::size_t first =
-        std::min(settings.first_runs ? static_cast<std::size_t>(*settings.first_runs) : 10 * free, most);
+        settings.first_runs ? static_cast<std::size_t>(*settings.first_runs) : std::min(10 * free, most);
     Points points = draw(PriorSpace(with_wider_priors(misfit.mechanism().parameters)), first);
     if (coarse != nullptr) {
         points = sift(std::move(points), *coarse, workers, progress, stop, made);

@@ -154,6 +154,13 @@ TEST(Surrogate, CoarseModelsHaveToFitTheirMechanism) {
     EXPECT_EQ(check_problem(problem), std::vector<std::string>{"mechanism: a coarse model is for costly ones only"});
 }
 
+TEST(Surrogate, FirstRunsAreAmongAllRuns) {
+    FitProblem problem = curved_problem(true);
+    problem.settings.surrogate.runs = 19;
+    EXPECT_EQ(check_problem(problem),
+              std::vector<std::string>{"settings: surrogate.first_runs = 20 must be at most surrogate.runs = 19"});
+}
+
 // Beside a cheap mechanism that has all the evidence, runs of a costly one that misses the data are few.
 TEST(Surrogate, GivesUpWhereAnotherMechanismIsOutOfReach) {
     FitProblem problem = curved_problem(true);
