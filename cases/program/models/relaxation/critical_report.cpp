@@ -202,8 +202,10 @@ std::vector<std::string> search_sentences(const CriticalPlan& plan, const Critic
 std::string end_in_words(const RelaxationRun& made) {
     const RelaxationResult& result = made.result;
     const std::string after = " after " + value_in_words(result.time, Dimension::time);
-    const std::string area = value_in_words(
-        made.post_failure ? made.post_failure->answer.failed_area : failing_blocks(made).area, Dimension::area);
+    // At onset blocks have hardly moved, and have next to no share in the area that has failed.
+    const bool has_moved = made.post_failure && result.outcome != RelaxationOutcome::onset;
+    const std::string area =
+        value_in_words(has_moved ? made.post_failure->answer.failed_area : failing_blocks(made).area, Dimension::area);
     if (made.in_stages) {
         return made.stage.empty()
                    ? "Stands: no block fails."
