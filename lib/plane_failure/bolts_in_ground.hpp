@@ -9,7 +9,7 @@
 namespace delabole {
 
 // Length along a bolt from its head, at a height on the face, to where it comes out of the ground behind the crest, m;
-// infinite if it does not.
+// infinite if it does not, 0 if it rises more steeply than the face.
 template <class T>
 T length_in_ground(const SlopeSection<T>& slope, const T& head_height, const T& plunge) {
     const auto slope_of = [](const T& angle) {
@@ -18,6 +18,9 @@ T length_in_ground(const SlopeSection<T>& slope, const T& head_height, const T& 
     };
     const SineCosine<T> bolt = sine_cosine(plunge);
     const SineCosine<T> face = sine_cosine(slope.face_dip);
+    if (-bolt.sine * face.cosine > bolt.cosine * face.sine) {
+        return T(0);
+    }
     const T head_x = head_height * face.cosine / face.sine;
     T x = slope.height * face.cosine / face.sine;
     T y = slope.height;

@@ -128,7 +128,7 @@ struct TensionCutoff {
     T tensile_strength;
     static constexpr auto fields() {
         return FieldTable{number<&TensionCutoff::tensile_strength>(
-            Dimension::stress, at_least(0), "normal tension beyond which the plane has no shear strength")};
+            Dimension::stress, at_least(0), "normal tension that the plane bears; under more the mass lifts off")};
     }
 };
 
@@ -193,8 +193,10 @@ struct Bolt {
             number<&Bolt::force>(Dimension::force_per_length, at_least(0), "tension"),
             number<&Bolt::plunge>(Dimension::angle, within(degrees(-90), degrees(90)),
                                   "direction below the horizontal, into the slope; negative: inclined upwards"),
-            number<&Bolt::head_height>(Dimension::length, distance_range(),
-                                       "height of its head on the face above the toe (used by the moment check)"),
+            number<&Bolt::head_height>(
+                Dimension::length, distance_range(),
+                "height of its head on the face above the toe; from there it has to run through the moving mass into "
+                "the rock behind"),
             bolt_action_field<Bolt>()};
     }
 };
@@ -233,7 +235,8 @@ struct PlaneFailure {
                           section<&PlaneFailure::rock>("the rock mass"),
                           section<&PlaneFailure::strength>("shear strength of the failure plane"),
                           section<&PlaneFailure::tension_cutoff>(
-                              "limit on tension across the plane; absent: the strength law is used as it stands"),
+                              "normal tension that the plane bears; absent: none, so that a mass lifts off where "
+                              "loads pull it away from the plane"),
                           section<&PlaneFailure::water>("water pressure in the crack and on the plane"),
                           section<&PlaneFailure::pond>("standing water in front of the face; absent: none"),
                           section<&PlaneFailure::seismic>("pseudo-static earthquake load; absent: none"),

@@ -96,10 +96,10 @@ MomentSum moments(const PlaneFailure<>& problem, const Forces& forces) {
     return sum;
 }
 
-PlaneFailureOutcome outcome_of(const PlaneFailureResult& result) {
+PlaneFailureOutcome outcome_of(const PlaneFailureResult& result, bool lifted) {
     const bool slides = result.factor_of_safety < 1;
     const bool overturns = result.overturning_factor < 1;
-    if (result.normal_force < 0) {
+    if (lifted) {
         return PlaneFailureOutcome::lifts_off;
     }
     if (slides && overturns) {
@@ -143,7 +143,7 @@ PlaneFailureResult result_of(const PlaneFailure<>& problem, const Forces& forces
         result.normal_force == 0
             ? std::copysign(std::numeric_limits<double>::infinity(), sum.restoring() - sum.overturning())
             : (sum.restoring() - sum.overturning()) / (result.normal_force * wedge.base_length);
-    result.outcome = outcome_of(result);
+    result.outcome = outcome_of(result, forces.stability.lifted);
     return result;
 }
 
@@ -186,6 +186,21 @@ Polyline ground_profile(const PlaneFailure<>& problem) {
     const double end = std::max(mass_end, ground.back().x()) + slope.height / 3;
     ground.push_back(ground.back() + (end - ground.back().x()) * Point(1, std::tan(slope.upper_surface_dip)));
     return ground;
+}
+
+std::vector<std::size_t> bolts_that_hold_nothing(const PlaneFailure<>& problem) {
+    Wedge<double> wedge;
+    std::vector<std::size_t> idle;
+    if (make_wedge(problem, wedge) == PlaneFailureCheck::valid) {
+        std::size_t index = 0;
+        for_each_bolt(problem, wedge, [&](const Bolt<>& bolt) {
+            if (index < problem.bolt.size() && bolt.force < problem.bolt[index].force) {
+                idle.push_back(index);
+            }
+            ++index;
+        });
+    }
+    return idle;
 }
 
 std::vector<std::vector<BoltRow>> support_rows(const PlaneFailure<>& problem) {

@@ -29,7 +29,7 @@ enum class PlaneFailureOutcome {
     slides,     // factor of safety below 1
     overturns,  // about the lower end of the base, while the strength would still hold it
     slides_and_overturns,
-    lifts_off,  // the normal force is negative, irrespective of cohesion or moments
+    lifts_off,  // the base would have to bear more tension than it can: the factor of safety is 0
 };
 
 struct PlaneFailureResult {
@@ -96,6 +96,9 @@ PlaneFailureResult analyse(const PlaneFailure<>& problem);
 
 // The present ground, from the toe to beyond the end of the mass.
 Polyline ground_profile(const PlaneFailure<>& problem);
+
+// Numbers of the single bolts, from 0, that do not run from the moving mass through the ground into the rock behind it.
+std::vector<std::size_t> bolts_that_hold_nothing(const PlaneFailure<>& problem);
 
 // The rows of each pattern of bolts, the lowest first; empty if the problem is not valid.
 std::vector<std::vector<BoltRow>> support_rows(const PlaneFailure<>& problem);

@@ -9,11 +9,12 @@
 
 namespace delabole {
 
-Required required_value(const PlaneFailure<>& problem, const std::string& parameter, double target,
+Required required_value(const PlaneFailureStudy<>& study, const std::string& parameter, double target,
                         const std::vector<std::string>& also) {
-    return find_required_value(problem, parameter, also, target, [](const PlaneFailure<>& varied) {
-        const FactorOfSafety result = factor_of_safety(varied);
-        return result.check == PlaneFailureCheck::valid ? result.value : std::numeric_limits<double>::quiet_NaN();
+    return find_required_value(study.model, parameter, also, target, [&](const PlaneFailure<>& varied) {
+        const ResolvedStudy resolved = resolve({varied, study.critical, {}});
+        return resolved.check == PlaneFailureCheck::valid ? factor_of_safety(resolved.problem).value
+                                                          : std::numeric_limits<double>::quiet_NaN();
     });
 }
 

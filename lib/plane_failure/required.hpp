@@ -3,14 +3,14 @@
 #pragma once
 
 #include "numerics/required_value.hpp"
-#include "plane_failure/parameters.hpp"
+#include "plane_failure/study.hpp"
 
 #include <string>
 
 namespace delabole {
 
-// `target` is the factor of safety to reach.
-Required required_value(const PlaneFailure<>& problem, const std::string& parameter, double target,
+// `target` is the factor of safety to reach, with a critical search, if the study has one, made anew for each value.
+Required required_value(const PlaneFailureStudy<>& study, const std::string& parameter, double target,
                         const std::vector<std::string>& also = {});
 
 // Inclination of the first bolt that makes the factor of safety largest, and that factor: a plunge in (-p, 90 deg]. For

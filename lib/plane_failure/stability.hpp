@@ -27,6 +27,7 @@ struct Stability {
     T normal_force;     // effective, on the base
     T driving_force;    // down the plane
     T resisting_force;  // strength of the base plus passive bolts
+    bool lifted;        // off the base, which bears no such tension
 };
 
 namespace detail {
@@ -75,13 +76,16 @@ T length_in_mass(const Wedge<T>& wedge, const T& head_height, const T& plunge) {
     const T y = head_height - wedge.daylight_height;
     const T x = y * wedge.face.cosine / wedge.face.sine;
     const T towards_plane = bolt.cosine * wedge.plane.sine + bolt.sine * wedge.plane.cosine;
-    if (!(y >= 0) || !(towards_plane > 0)) {
+    if (!(y >= 0)) {
         return T(-1);
     }
-    const T to_plane = (y * wedge.plane.cosine - x * wedge.plane.sine) / towards_plane;
-    const T along = (x + to_plane * bolt.cosine) * wedge.plane.cosine + (y - to_plane * bolt.sine) * wedge.plane.sine;
-    if (along <= wedge.base_length) {
-        return to_plane;
+    if (towards_plane > 0) {
+        const T to_plane = (y * wedge.plane.cosine - x * wedge.plane.sine) / towards_plane;
+        const T along =
+            (x + to_plane * bolt.cosine) * wedge.plane.cosine + (y - to_plane * bolt.sine) * wedge.plane.sine;
+        if (along <= wedge.base_length) {
+            return to_plane;
+        }
     }
     const T towards_crack = bolt.cosine * wedge.crack.sine + bolt.sine * wedge.crack.cosine;
     if (!(wedge.crack_length > 0) || !(towards_crack > 0)) {
@@ -93,10 +97,15 @@ T length_in_mass(const Wedge<T>& wedge, const T& head_height, const T& plunge) {
 
 }  // namespace detail
 
-// Calls visit(bolt) for the single bolts, then for each row of a pattern with the force of that row.
+// Calls visit(bolt) for the single bolts, then for each row of a pattern with the force of that row. The force is zero
+// where the bolt does not run from the moving mass through the ground into the rock behind it.
 template <class T, class Visit>
 void for_each_bolt(const PlaneFailure<T>& problem, const Wedge<T>& wedge, Visit&& visit) {
-    for (const Bolt<T>& bolt : problem.bolt) {
+    for (Bolt<T> bolt : problem.bolt) {
+        const T through = detail::length_in_mass(wedge, bolt.head_height, bolt.plunge);
+        if (!(through >= 0) || !(through <= length_in_ground(problem.slope, bolt.head_height, bolt.plunge))) {
+            bolt.force = T(0);
+        }
         visit(bolt);
     }
     for (const PlaneSupport<T>& support : problem.support) {
@@ -159,15 +168,16 @@ PlaneFailureCheck balance_forces(const PlaneFailure<T>& problem, const Wedge<T>&
         return PlaneFailureCheck::bolt_head_above_crest;
     }
     const T normal_stress = normal / wedge.base_length;
-    const bool torn_off = problem.tension_cutoff && normal_stress < -problem.tension_cutoff->tensile_strength;
+    result.lifted = normal_stress < -(problem.tension_cutoff ? problem.tension_cutoff->tensile_strength : T(0));
     result.normal_force = normal;
     result.driving_force = driving;
     const T resisting =
-        passive + (torn_off ? T(0) : T(shear_strength(problem.strength, normal_stress) * wedge.base_length));
+        result.lifted ? T(0) : T(passive + shear_strength(problem.strength, normal_stress) * wedge.base_length);
     // A passive bolt that sliding would shorten reduces the resistance, but not below zero.
     result.resisting_force = resisting < 0 ? T(0) : resisting;
-    result.factor_of_safety =
-        driving <= 0 ? T(std::numeric_limits<double>::infinity()) : T(result.resisting_force / driving);
+    result.factor_of_safety = driving <= 0 && !result.lifted ? T(std::numeric_limits<double>::infinity())
+                              : result.lifted                ? T(0)
+                                                             : T(result.resisting_force / driving);
     const bool is_number = result.factor_of_safety >= 0 || result.factor_of_safety < 0;
     return is_number ? PlaneFailureCheck::valid : PlaneFailureCheck::input_out_of_range;
 }

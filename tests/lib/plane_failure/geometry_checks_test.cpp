@@ -356,7 +356,7 @@ TEST(Fuzz, SearchesEnd) {
             }
             EXPECT_LT(critical.evaluations, 100000);
         }
-        const Required required = required_value(problem, "rock.unit_weight", 1);
+        const Required required = required_value({problem, {}, {}}, "rock.unit_weight", 1);
         EXPECT_FALSE(std::isnan(required.value));
     }
     EXPECT_GT(found, 1000);

@@ -98,7 +98,7 @@ TEST(WaterForms, BrimfulCrackIsAllowed) {
 // --- Loads ---
 
 TEST(Loads, ActiveBoltIsALineLoadOfTheSameDirection) {
-    for (const double plunge : {-90.0, -20.0, 0.0, 15.0, 55.0, 90.0}) {
+    for (const double plunge : {-30.0, -20.0, 0.0, 15.0, 55.0, 90.0}) {
         PlaneFailure<> bolt = textbook_slope();
         PlaneFailure<> load = textbook_slope();
         bolt.bolt = {{150e3, degrees(plunge), 3, BoltAction::active}};
@@ -217,6 +217,19 @@ TEST(Strength, BartonBandisWithItsCaps) {
     EXPECT_NEAR(barton(0, 1e4 * stress), friction(28), rounding);
 }
 
+// A bolt under the mass, and one that runs out of the ground behind the crest before it meets the crack, hold nothing.
+TEST(Bolts, HoldOnlyWhereTheyCrossTheSurfaceInTheGround) {
+    PlaneFailure<> problem = textbook_slope();
+    problem.failure_plane.daylight_height = 4;
+    const double bare = factor(problem);
+    problem.bolt = {{5e5, degrees(10), 2, BoltAction::active}, {5e5, degrees(-80), 11, BoltAction::active}};
+    EXPECT_EQ(factor(problem), bare);
+    EXPECT_EQ(bolts_that_hold_nothing(problem), (std::vector<std::size_t>{0, 1}));
+    problem.bolt = {{5e5, degrees(10), 6, BoltAction::active}};
+    EXPECT_GT(factor(problem), 1.1 * bare);
+    EXPECT_TRUE(bolts_that_hold_nothing(problem).empty());
+}
+
 TEST(Strength, TensionCutOff) {
     PlaneFailure<> problem = textbook_slope();
     problem.seismic = SeismicLoad<>{3, 0};  // lifts the mass off: N negative
@@ -224,14 +237,15 @@ TEST(Strength, TensionCutOff) {
     ASSERT_LT(lifted.normal_force, 0);
     EXPECT_EQ(lifted.outcome, PlaneFailureOutcome::lifts_off);
     const double tension = -lifted.normal_force / lifted.sliding_area;
+    EXPECT_EQ(lifted.factor_of_safety, 0);
     std::get<Coulomb<>>(problem.strength).cohesion = 2 * tension;
-    EXPECT_GT(factor(problem), 0);
+    EXPECT_EQ(factor(problem), 0) << "cohesion bears no tension";
     problem.tension_cutoff = TensionCutoff<>{tension * (1 + 1e-9)};
     EXPECT_GT(factor(problem), 0);
     problem.tension_cutoff = TensionCutoff<>{tension * (1 - 1e-9)};
     EXPECT_EQ(factor(problem), 0);
-    // Without a cut-off the envelope itself ends at zero.
-    problem.tension_cutoff.reset();
+    // The envelope itself ends at zero.
+    problem.tension_cutoff = TensionCutoff<>{2 * tension};
     std::get<Coulomb<>>(problem.strength).cohesion = tension * std::tan(degrees(37)) * 0.999;
     EXPECT_EQ(factor(problem), 0);
 }

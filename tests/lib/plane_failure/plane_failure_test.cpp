@@ -90,6 +90,7 @@ TEST(Published, Figure28Equations) {
             problem.failure_plane.dip = p;
             problem.tension_crack = TensionCrack<>{degrees(90), CrackBaseBelowCrest<>{z}};
             problem.strength = SteppedSurface<>{cohesion, degrees(20), degrees(46)};
+            problem.tension_cutoff = TensionCutoff<>{1e9};  // the printed equations have no limit
             const double crack_depth = analyse(problem).crack_depth;
             for (const double filled : {0.0, 0.5, 2.0 / 3, 1.0}) {
                 const double depth = filled * crack_depth;
@@ -174,7 +175,7 @@ TEST(Formula, FactorOneLocusIsStraight) {
     // FS = 1: c A + N tan(phi) = S, so c falls by N / A per unit of tan(phi).
     for (const double phi : {0.0, 10.0, 20.0, 30.0, 40.0}) {
         std::get<Coulomb<>>(problem.strength).friction_angle = degrees(phi);
-        const Required cohesion = required_value(problem, "strength.cohesion", 1);
+        const Required cohesion = required_value({problem, {}, {}}, "strength.cohesion", 1);
         ASSERT_EQ(cohesion.status, RequiredStatus::found);
         const double expected =
             (result.driving_force - result.normal_force * std::tan(degrees(phi))) / result.sliding_area;

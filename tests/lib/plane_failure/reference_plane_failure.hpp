@@ -116,9 +116,10 @@ class Analysis {
         add_loads();
         Real passive = 0;
         for (const Bolt<Real>& bolt : problem_.bolt) {
-            const Vector force = bolt.force * Vector{cos(bolt.plunge), -sin(bolt.plunge)};
+            const Vector along = {cos(bolt.plunge), -sin(bolt.plunge)};
             const Vector head = {bolt.head_height * cos(problem_.slope.face_dip) / sin(problem_.slope.face_dip),
                                  bolt.head_height};
+            const Vector force = (leaves_into_rock(result, head, along) ? bolt.force : Real(0)) * along;
             moment_ += cross(head - daylight_, force);
             normal_.push_back(dot(force, into));
             if (bolt.action == BoltAction::active) {
@@ -142,9 +143,9 @@ class Analysis {
         sum(normal_, result.normal, result.normal_magnitude);
         sum(driving_, result.driving, result.driving_magnitude);
         const Real stress = result.normal / result.base_length;
-        const bool torn = problem_.tension_cutoff && stress < -problem_.tension_cutoff->tensile_strength;
-        const Real strength = torn ? Real(0) : std::max(Real(0), strength_at(stress));
-        result.resisting = std::max(Real(0), Real(strength * result.base_length + passive));
+        const bool lifted = stress < -(problem_.tension_cutoff ? problem_.tension_cutoff->tensile_strength : 0);
+        const Real strength = std::max(Real(0), strength_at(stress));
+        result.resisting = lifted ? Real(0) : std::max(Real(0), Real(strength * result.base_length + passive));
         // Envelope at the stress as tangent: intercept and slope are the terms that may cancel.
         const Real step = Real(1e-20) * (abs(stress) + Real(1e-20) * result.weight / result.base_length);
         const Real slope = (strength_at(stress + step) - strength_at(stress - step)) / (2 * step);
@@ -157,6 +158,24 @@ class Analysis {
     }
 
   private:
+    // Whether a line from the face leaves the moving mass through the plane or the crack.
+    bool leaves_into_rock(const Solution& result, const Vector& head, const Vector& along) const {
+        Real nearest = 1e300;
+        bool into_rock = false;
+        for (std::size_t index = 0; head.y >= daylight_.y && index < result.polygon.size(); ++index) {
+            const Vector& from = result.polygon[index];
+            const Vector step = result.polygon[(index + 1) % result.polygon.size()] - from;
+            const Real across = cross(along, step);
+            const Real distance = across == 0 ? Real(-1) : Real(cross(from - head, step) / across);
+            const Real place = across == 0 ? Real(-1) : Real(cross(from - head, along) / across);
+            if (distance > 1e-20 && distance < nearest && place >= 0 && place <= 1) {
+                nearest = distance;
+                into_rock = index < 2;  // the base, then the crack
+            }
+        }
+        return into_rock;
+    }
+
     Vector meets_plane(const Vector& point, const Vector& along) const {
         const Vector up = direction(problem_.failure_plane.dip);
         return point + (cross(daylight_ - point, up) / cross(along, up)) * along;

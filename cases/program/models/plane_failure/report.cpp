@@ -31,8 +31,13 @@ void warn(Analysis& analysis, const PlaneFailureResult& result, bool critical_at
     if (result.overturning_factor < 1 && result.factor_of_safety >= 1) {
         analysis.warnings.emplace_back("the mass overturns about the toe before it slides");
     }
-    if (result.normal_force < 0) {
-        analysis.warnings.emplace_back("the loads lift the mass off its base: the normal force is negative");
+    if (result.outcome == PlaneFailureOutcome::lifts_off) {
+        analysis.warnings.emplace_back(
+            "the loads lift the mass off its base, which bears no such tension: the factor of safety is 0");
+    } else if (result.normal_force < 0) {
+        analysis.warnings.emplace_back(
+            "tension_cutoff.tensile_strength holds the mass on its base: the normal force is "
+            "negative");
     } else if (result.normal_force_position < 0 || result.normal_force_position > 1) {
         analysis.warnings.emplace_back(
             "no pressure on the base balances the moments: the normal force would act beyond its " +
@@ -125,7 +130,7 @@ PlaneFailureAnswer analyse_case(const PlaneFailureStudy<>& study, const Analysis
     if (answer.result.check != PlaneFailureCheck::valid) {
         return answer;
     }
-    answer.required = required_values(problem, study.required);
+    answer.required = required_values(study, study.required);
     if (!problem.bolt.empty()) {
         answer.optimum_bolt = optimum_bolt_plunge(problem);
     }
@@ -139,6 +144,10 @@ Analysis named_outputs(const PlaneFailureStudy<>& study, const PlaneFailureAnswe
     append_support(analysis, support_rows(answer.resolved.problem));
     if (answer.optimum_bolt) {
         append_optimum_bolt(analysis, *answer.optimum_bolt, answer.resolved.problem.bolt.front().force);
+    }
+    for (const std::size_t bolt : bolts_that_hold_nothing(answer.resolved.problem)) {
+        analysis.warnings.push_back(indexed("bolt", bolt) +
+                                    " holds nothing: it does not run from the moving mass into the rock behind it");
     }
     warn(analysis, answer.result, answer.resolved.critical_at_boundary);
     return analysis;
