@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,12 @@ struct Required {
     RequiredStatus status;
     double value;  // SI, meaningful if found or several (then the smallest)
     Dimension dimension;
-    // Over the range searched, for the message if the target is never reached; plus and minus infinity if the problem
-    // has no answer at all.
+    // Over the range searched, for the message if the target is never reached; infinite if nothing fails; plus and
+    // minus infinity if the problem has no answer at all.
     double lowest_factor_of_safety;
     double highest_factor_of_safety;
+    bool rises = false;               // the factor of safety, as the input grows beyond the value
+    std::optional<double> jump = {};  // SI, where the factor jumps over the target
 };
 
 // Points at which to search for the root: the range of a field, or geometrically over 24 decades of distance from its
@@ -52,6 +55,7 @@ Required find_required_value(const Problem& problem, const std::string& paramete
         return {RequiredStatus::unknown_parameter, 0, Dimension::ratio, 0, 0};
     }
     const double present = *number;
+    constexpr double beyond_all = 1e15;  // an infinite factor is above every target
     const auto excess = [&](double value) {
         if (!field.range.contains(value)) {
             return std::numeric_limits<double>::quiet_NaN();
@@ -60,7 +64,7 @@ Required find_required_value(const Problem& problem, const std::string& paramete
         for (double* other : others) {
             *other = value;
         }
-        return factor_of_safety(varied) - target;
+        return std::min(factor_of_safety(varied), beyond_all) - target;
     };
     const ScalarRoot root = find_root(excess, search_points(field.range, present));
     const bool exceeded = root.lowest > 0 && std::isfinite(root.lowest);
@@ -68,7 +72,12 @@ Required find_required_value(const Problem& problem, const std::string& paramete
                                       ? (exceeded ? RequiredStatus::always_exceeded : RequiredStatus::never_reached)
                                   : root.sign_changes == 1 ? RequiredStatus::found
                                                            : RequiredStatus::several;
-    return {status, root.position.value_or(0.0), field.dimension, root.lowest + target, root.highest + target};
+    const auto factor = [&](double above_target) {
+        return above_target + target < beyond_all ? above_target + target : std::numeric_limits<double>::infinity();
+    };
+    return {
+        status,   root.position.value_or(0.0), field.dimension, factor(root.lowest), factor(root.highest), root.rises,
+        root.jump};
 }
 
 }  // namespace delabole

@@ -64,12 +64,16 @@ std::optional<double> refine_root(const Function& function, double lower, double
     return guard.finite ? std::optional(gsl_root_fsolver_root(solver.get())) : std::nullopt;
 }
 
-// False at a jump, where the function keeps the order of magnitude of the neighbouring values up to the last digit. A
-// steep function is known at its root to the rounding of the argument, some 1e-16 of the argument's distance from zero.
-bool passes_through_zero(const Function& value, double root, double left_value, double right_value) {
-    const double left = std::abs(left_value);
-    const double right = std::abs(right_value);
-    return std::abs(value(root)) <= std::max(1e-3 * std::min(left, right), 1e-9 * std::max(left, right));
+// Whether the function jumps over zero between two points: over a step a hundredth as long it changes by as much. The
+// steps are small enough for steep functions, and large enough for the rounding of values.
+bool jumps(const Function& value, double root, double lower, double upper) {
+    const double step = 1e7 * std::numeric_limits<double>::epsilon() * std::max(std::abs(lower), std::abs(upper));
+    const auto change = [&](double length) {
+        return std::abs(value(std::min(upper, root + length)) - value(std::max(lower, root - length)));
+    };
+    const double change_nearby = change(step / 100);
+    const double least = std::min(std::abs(value(lower)), std::abs(value(upper)));
+    return change_nearby > change(step) / 2 && change_nearby > 1e-6 * least;
 }
 
 // Last point before values rise again, from `lower_value` at `from` towards `to`: the foot of a jump.
@@ -180,8 +184,9 @@ ScalarMinimum minimise_scalar(const Function& value, const Function& slope, doub
 }
 
 ScalarRoot find_root(const Function& function, const std::vector<double>& candidates) {
-    ScalarRoot result{std::nullopt, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                      0};
+    ScalarRoot result{
+        std::nullopt, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 0, false,
+        std::nullopt};
     bool have_last = false;
     double last = 0;
     double last_value = 0;
@@ -190,12 +195,14 @@ ScalarRoot find_root(const Function& function, const std::vector<double>& candid
         result.highest = std::max(result.highest, value);
         if (value == 0 || (have_last && (value > 0) != (last_value > 0) && last_value != 0)) {
             std::optional<double> root = value == 0 ? x : refine_root(function, last, x);
-            if (root && !passes_through_zero(function, *root, last_value, value)) {
+            if (root && value != 0 && jumps(function, *root, last, x)) {
+                result.jump = result.jump.value_or(*root);
                 root.reset();
             }
             result.sign_changes += root ? 1 : 0;
-            if (!result.position) {
+            if (root && !result.position) {
                 result.position = root;
+                result.rises = value > last_value || !have_last;
             }
         }
         have_last = true;

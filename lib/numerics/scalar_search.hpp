@@ -21,10 +21,12 @@ ScalarMinimum minimise_scalar(const std::function<double(double)>& value, const 
                               double lower, double upper, int points);
 
 struct ScalarRoot {
-    std::optional<double> position;  // absent if no change of sign was found
+    std::optional<double> position;  // absent if the function passes through zero nowhere
     double lowest;                   // range of function values found, for the message if there is no root
     double highest;
-    int sign_changes;  // found in the scan; the root nearest to the lower end is returned
+    int sign_changes;            // found in the scan; the root nearest to the lower end is returned
+    bool rises;                  // with increasing argument, through this root
+    std::optional<double> jump;  // the first place where the function jumps over zero
 };
 
 // Scan at increasing `candidates`, bisection to the edge of the valid range where values are missing, then Brent's root

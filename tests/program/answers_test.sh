@@ -29,7 +29,7 @@ says 'FS 0.1 is exceeded whatever the cohesion is.' good.toml \
 
 title "a wedge"
 says 'FS 1.14: stands on both planes.' "$cases/wedge/hoek_bray_complete.toml"
-says 'For FS 1.5 the force of bolt 1 has to be ' "$cases/wedge/hoek_bray_complete.toml"
+says 'For FS 1.5 the force of bolt 1 has to be at least ' "$cases/wedge/hoek_bray_complete.toml"
 says ' of rock on a line that plunges 31.2 deg towards 158 deg.' "$cases/wedge/hoek_bray_complete.toml"
 says ': slides on both planes.' "$cases/wedge/hoek_bray_complete.toml" --set plane_1.strength.cohesion='0 kPa'
 

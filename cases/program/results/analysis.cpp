@@ -19,6 +19,10 @@ const AnswerTo<Study>& own_answer(const Study&, const CaseAnswer& answer) {
     return std::get<AnswerTo<Study>>(answer);
 }
 
+std::string factor_or_infinite(double factor_of_safety) {
+    return std::isinf(factor_of_safety) ? "infinite" : number_in_words(factor_of_safety);
+}
+
 void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required) {
     const std::string name = "required." + parameter;
     const std::string meaning = parameter + " at a factor of safety of " + number_in_words(target);
@@ -33,17 +37,17 @@ void append_required_value(Analysis& analysis, const std::string& parameter, dou
         analysis.outputs.push_back({name, meaning, required.dimension, std::string("never_reached")});
         analysis.warnings.push_back(
             name +
-            (required.lowest_factor_of_safety < target && required.highest_factor_of_safety > target
-                 ? ": the factor of safety jumps over it, between "
-                 : ": the factor of safety stays between ") +
-            number_in_words(required.lowest_factor_of_safety) + " and " +
-            number_in_words(required.highest_factor_of_safety) + " over the allowed range of " + parameter +
+            (required.jump ? ": the factor of safety jumps over it at " +
+                                 value_in_words(*required.jump, required.dimension) + ", and lies between "
+                           : ": the factor of safety stays between ") +
+            factor_or_infinite(required.lowest_factor_of_safety) + " and " +
+            factor_or_infinite(required.highest_factor_of_safety) + " over the allowed range of " + parameter +
             ": ask for less, or change another input as well");
         break;
     case RequiredStatus::always_exceeded:
         analysis.outputs.push_back({name, meaning, required.dimension, std::string("always_exceeded")});
         analysis.warnings.push_back(name + ": the factor of safety is at least " +
-                                    number_in_words(required.lowest_factor_of_safety) +
+                                    factor_or_infinite(required.lowest_factor_of_safety) +
                                     " whatever its value: nothing is required of it");
         break;
     case RequiredStatus::unknown_parameter:
@@ -179,9 +183,14 @@ std::string required_in_words(const RequiredValue<>& request, const Required& re
     case RequiredStatus::found:
     case RequiredStatus::several:
         return "For " + factor + " " + parameter + (inputs.size() == 1 ? " has" : " have") + " to be " +
+               (required.status == RequiredStatus::several ? ""
+                : required.rises                           ? "at least "
+                                                           : "at most ") +
                value_in_words(required.value, required.dimension) + ".";
     case RequiredStatus::never_reached:
-        return "No value of " + parameter + " gives " + factor + ".";
+        return required.jump ? "With " + parameter + " at " + value_in_words(*required.jump, required.dimension) +
+                                   " the factor of safety jumps over " + number_in_words(request.factor_of_safety) + "."
+                             : "No value of " + parameter + " gives " + factor + ".";
     case RequiredStatus::always_exceeded:
         return factor + " is exceeded whatever " + parameter + " is.";
     case RequiredStatus::unknown_parameter:

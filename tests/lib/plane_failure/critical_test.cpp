@@ -238,9 +238,13 @@ TEST(ScalarSearch, KinkJumpAndGap) {
     // A jump over zero is no root, a steep passage is one.
     EXPECT_FALSE(find_root([](double x) { return x < 0.43 ? -1.0 : 2.0; }, {0, 1}).position.has_value());
     EXPECT_FALSE(find_root([](double x) { return x < 0.43 ? -1e3 : x; }, {0, 1}).position.has_value());
+    const auto beside_a_pole = find_root([](double x) { return x < 0.43 ? -1.0 : 1 / (0.9 + 1e-13 - x); }, {0, 0.9});
+    EXPECT_FALSE(beside_a_pole.position.has_value());
+    EXPECT_NEAR(*beside_a_pole.jump, 0.43, 1e-12);
     const auto steep = find_root([](double x) { return std::tanh(1e8 * (x - 0.43)); }, {0, 1});
     ASSERT_TRUE(steep.position.has_value());
     EXPECT_NEAR(*steep.position, 0.43, 1e-15);
+    EXPECT_TRUE(steep.rises);
 }
 
 // --- Required values ---
