@@ -21,7 +21,7 @@ says 'FS 0.801: fails by sliding.' good.toml --set strength.cohesion='0 kPa'
 says '; the slope is dry.' good.toml --set water.kind=dry
 says 'Nothing drives the mass down the plane: the factor of safety is infinite.' \
     "$cases/plane_failure/wyllie_mah_7_1_bolts.toml" --set 'bolt[1].force=100 MN/m' --set 'bolt[1].plunge=-20 deg'
-says 'FS 1.5 takes 401 kN/m in bolts at 55 deg.' "$cases/plane_failure/wyllie_mah_7_1_bolts.toml"  # 400 give 1.499
+says 'FS 1.5 takes 401 kN/m in bolt 1 at 55 deg.' "$cases/plane_failure/wyllie_mah_7_1_bolts.toml"  # 400 give 1.499
 says 'No value of the water depth gives FS 5.' good.toml \
     --set 'required=[{ parameter = "water.water_depth", factor_of_safety = 5 }]'
 says 'FS 0.1 is exceeded whatever the cohesion is.' good.toml \

@@ -71,6 +71,18 @@ delabole run good.toml --set 'slope.height=13 m' --out twice --quiet
 expect_status 5
 expect "no result.json" refuse test -e twice/result.json
 
+title "a file of somebody else is not replaced by a result's of the same name"
+mkdir mine
+for name in report.html resolved.toml; do
+    echo precious >"mine/$name"
+    delabole run good.toml --out mine --quiet
+    expect_status 5
+    expect_error "delabole: cannot write mine/$name: it was not written by delabole, which would replace it"
+    expect "the file is as it was" test "$(cat "mine/$name")" == precious
+    expect "nothing else was written" test "$(ls mine)" == "$name"
+    rm "mine/$name"
+done
+
 title "init does not overwrite, and says why it cannot write"
 delabole init plane_failure --out file
 expect_status 5

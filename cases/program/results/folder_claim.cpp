@@ -60,9 +60,22 @@ FolderClaim::FolderClaim(fs::path folder)
         if (!std::string_view(found).starts_with(heading.substr(0, found.size()))) {
             throw OutputError(list_, std::string(no_list));
         }
+        refuse_files_of_others(found);
     } catch (...) {
         ::close(descriptor_);
         throw;
+    }
+}
+
+void FolderClaim::refuse_files_of_others(const std::string& list) const {
+    for (const std::string name : {"result.json", "report.html", "resolved.toml", "results.csv"}) {
+        std::error_code ignored;
+        if (list.find('\n' + name + '\n') == std::string::npos &&
+            fs::is_regular_file(fs::symlink_status(folder_ / name, ignored))) {
+            throw OutputError(folder_ / name,
+                              "it was not written by delabole, which would replace it: move it away, or "
+                              "name another folder (--out)");
+        }
     }
 }
 

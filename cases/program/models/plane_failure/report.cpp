@@ -84,8 +84,9 @@ std::string required_in_words(const PlaneFailure<>& problem, const RequiredValue
         if (found && request.parameter == "bolt[" + std::to_string(index + 1) + "].force") {
             return factor_in_words(request.factor_of_safety) + " takes " +
                    value_in_words(required.value, required.dimension) + " in " +
-                   (request.also.empty() ? "" : "each of " + std::to_string(1 + request.also.size()) + " ") +
-                   "bolts at " + value_in_words(problem.bolt[index].plunge, Dimension::angle) + ".";
+                   (request.also.empty() ? "bolt " + std::to_string(index + 1)
+                                         : "each of " + std::to_string(1 + request.also.size()) + " bolts") +
+                   " at " + value_in_words(problem.bolt[index].plunge, Dimension::angle) + ".";
         }
     }
     return required_in_words(request, required);
