@@ -80,15 +80,22 @@ ProbabilityOfSums probability_estimate(const Sums& all, const std::vector<Sums>&
         }
     }
     const double share = all.share_failed();
+    const Interval wilson = wilson_interval(static_cast<double>(all.failed), static_cast<double>(all.decided));
     const bool spread_tells = shares.size() >= 2 && std::any_of(shares.begin(), shares.end(),
                                                                 [&](double other) { return other != shares.front(); });
     if (!spread_tells) {
-        return {Estimate{share, wilson_interval(static_cast<double>(all.failed), static_cast<double>(all.decided))},
-                ErrorMethod::wilson};
+        return {Estimate{share, wilson}, ErrorMethod::wilson};
     }
     const Estimate spread = mean_of_replicates(shares);
     const double half = spread.interval_95.upper - spread.value;
-    return {Estimate{share, {std::max(share - half, 0.0), std::min(share + half, 1.0)}}, ErrorMethod::replicates};
+    const Interval found{std::max(share - half, 0.0), std::min(share + half, 1.0)};
+    // Replicates with so few failures, or with so few that stand, often agree by chance.
+    constexpr double few = 5;
+    const auto rarer = static_cast<double>(std::min(all.failed, all.decided - all.failed));
+    if (rarer < few * static_cast<double>(shares.size()) && found.upper - found.lower < wilson.upper - wilson.lower) {
+        return {Estimate{share, wilson}, ErrorMethod::wilson};
+    }
+    return {Estimate{share, found}, ErrorMethod::replicates};
 }
 
 class Samples {

@@ -75,7 +75,7 @@ SamplePlan plan_of(const PropagationSettings& settings, std::size_t dimension, s
 
 enum class ErrorMethod {
     replicates,  // spread between independent samples, by Student's t
-    wilson,      // counts of independent samples; if all replicates agree, all samples are taken for independent
+    wilson,      // counts of independent samples; samples of replicates that agree by chance are taken for independent
 };
 
 struct FailureProbability {

@@ -54,8 +54,11 @@ SlidingContact contact_of(const SlopeOrientation& slope, const LineOrientation& 
     const Direction axis = n1.cross(n2);
     const double first_side = out_of_rock.cross(n2).dot(axis);
     const double second_side = n1.cross(out_of_rock).dot(axis);
+    // Beside a plane that dips as the face does the block lies on neither side: that plane may carry it.
+    const auto is_above = [](double side) { return side > -direction_rounding; };
     const auto carries = [&](double own_side, double movement_from_other, double other_side) {
-        return own_side > 0 && (other_side > 0 ? movement_from_other : -movement_from_other) > direction_rounding;
+        return is_above(own_side) &&
+               (is_above(other_side) ? movement_from_other : -movement_from_other) > direction_rounding;
     };
     if (carries(first_side, dip_vector(first).dot(n2), second_side)) {
         return SlidingContact::first_plane;

@@ -120,6 +120,9 @@ class Programme {
     // Adds a force in both directions to every row and minimises their sum; the factor has to be fixed at 0. The
     // interior-point method is used, and the simplex method if that fails.
     LeastImbalance least_imbalance() {
+        if (may_overflow()) {
+            return {LpStatus::not_converged, AssemblyCheck::valid, 0, {}};
+        }
         glp_set_obj_coef(problem_.get(), 1, 0);
         const int rows = glp_get_num_rows(problem_.get());
         for (int row = 1; row <= rows; ++row) {
@@ -148,6 +151,23 @@ class Programme {
     }
 
   private:
+    // Whether loads or strengths are so far beyond the weights that GLPK's interior-point method would end the process.
+    bool may_overflow() const {
+        constexpr double most = 1e100;
+        for (int row = 1; row <= glp_get_num_rows(problem_.get()); ++row) {
+            if (!(std::abs(glp_get_row_ub(problem_.get(), row)) <= most)) {
+                return true;
+            }
+        }
+        for (int column = 1; column <= glp_get_num_cols(problem_.get()); ++column) {
+            if (glp_get_col_type(problem_.get(), column) == GLP_DB &&
+                !(glp_get_col_ub(problem_.get(), column) <= most)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     template <class PriceOf>
     std::vector<VirtualMotion> mechanism_of(const PriceOf& price_of) const {
         std::vector<VirtualMotion> motions;

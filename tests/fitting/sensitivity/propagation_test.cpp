@@ -234,6 +234,21 @@ TEST(Propagation, NoFailureAmongManySamplesLeavesAnUpperBound) {
     EXPECT_EQ(result.failure->method, ErrorMethod::wilson);
 }
 
+// Each of four Latin hypercubes of 512 samples has three or four failures, and their shares hardly differ.
+TEST(Propagation, FewFailuresThatAgreeByChanceLeaveTheIntervalOfTheirNumber) {
+    Study study(objective([](std::span<const double> x) { return x[0]; }));
+    for (const double limit : {0.0060, 0.0062, 0.0066}) {
+        const FailureCriterion below{limit, FailureSide::below, {}, {}};
+        const PropagationResult result =
+            propagate(study.evaluator(), unit_box(1), {SamplingMethod::latin_hypercube, 2048, 4}, below, 1);
+        const Interval interval = result.failure->probability->interval_95;
+        EXPECT_LT(interval.lower, limit);
+        EXPECT_GT(interval.upper, limit);
+        const Interval wilson = wilson_interval(static_cast<double>(result.failure->failed), 2048);
+        EXPECT_GE(interval.upper - interval.lower, wilson.upper - wilson.lower) << limit;
+    }
+}
+
 TEST(Propagation, ConstantQuantity) {
     Study study(objective([](std::span<const double>) { return 1.5; }));
     const PropagationResult result = propagate(study.evaluator(), unit_box(1), {}, below_zero, 1);

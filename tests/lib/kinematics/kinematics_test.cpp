@@ -245,6 +245,20 @@ TEST(Kinematics, TurningTheMapChangesNothing) {
     }
 }
 
+// The side of a plane on which the block lies is decided by rounding where the plane dips exactly as the face does.
+TEST(Kinematics, APlaneThatDipsAsTheFaceDoesCarriesTheWedgeAtEveryAzimuth) {
+    for (int azimuth = 0; azimuth < 360; azimuth += 5) {
+        const double along = degrees(azimuth);
+        const SlopeOrientation slope{degrees(90), along, std::nullopt};
+        const Orientation first{degrees(45), along};
+        const Orientation second{degrees(90), along + degrees(8)};
+        const WedgeVerdict verdict = wedge_sliding(slope, first, second, degrees(30));
+        EXPECT_EQ(verdict.feasibility, Feasibility::feasible) << azimuth;
+        EXPECT_EQ(verdict.contact, SlidingContact::first_plane) << azimuth;
+        EXPECT_EQ(wedge_sliding(slope, second, first, degrees(30)).contact, SlidingContact::second_plane) << azimuth;
+    }
+}
+
 TEST(Kinematics, MirrorImageBehavesAlike) {
     KinematicsStudy study = delabole_sets();
     study.model.slope.face_dip_direction = degrees(102.75);

@@ -141,12 +141,13 @@ TEST(BoltPattern, HasExactDerivatives) {
 TEST(RequiredValue, CablesSolvedTogether) {
     PlaneFailure<> slope = road_cut();
     slope.bolt = {{0, degrees(10), 3, BoltAction::active}};
-    const Required one = required_value(slope, "bolt[1].force", 1.5);
+    const Required one = required_value({slope, {}, {}}, "bolt[1].force", 1.5);
     slope.bolt.push_back({0, degrees(10), 6, BoltAction::active});
-    const Required both = required_value(slope, "bolt[1].force", 1.5, {"bolt[2].force"});
+    const Required both = required_value({slope, {}, {}}, "bolt[1].force", 1.5, {"bolt[2].force"});
     ASSERT_EQ(both.status, RequiredStatus::found);
     EXPECT_NEAR(2 * both.value / one.value, 1, 1e-12);
-    EXPECT_EQ(required_value(slope, "bolt[1].force", 1.5, {"bolt[3].force"}).status, RequiredStatus::unknown_parameter);
+    EXPECT_EQ(required_value({slope, {}, {}}, "bolt[1].force", 1.5, {"bolt[3].force"}).status,
+              RequiredStatus::unknown_parameter);
 }
 
 SteppedBase<> columns() {

@@ -91,6 +91,15 @@ TEST(LeastImbalance, IsNoneWhereTheBoundIsNotReached) {
     }
 }
 
+// GLPK would end the process.
+TEST(LeastImbalance, HasNoAnswerWhereStrengthIsBeyondNumbers) {
+    Assembly held = assemble_row({{1, 1, 2e4}}, {degrees(30), degrees(30)});
+    held.contacts[0].cohesion = 1e300;
+    EXPECT_EQ(least_imbalance(held).status, LpStatus::not_converged);
+    held.contacts[0].cohesion = 1e12;
+    EXPECT_EQ(least_imbalance(held).status, LpStatus::optimal);
+}
+
 TEST(LeastImbalance, IsTheWeightOfABodyOnNothing) {
     Assembly falling = assemble_row({{1, 1, 2e4}}, {degrees(30), degrees(30)});
     falling.contacts.clear();
