@@ -105,7 +105,14 @@ CableForce cable_in_toe(const ToeBalance<>& toe, const ColumnStrength<>& strengt
     if (force == 0) {
         return {CableState::not_needed, 0};
     }
-    return force < infinity ? CableForce{CableState::found, force} : CableForce{CableState::cannot_hold, 0};
+    // A steep cable that holds the column in one balance may use up its reserve in the other.
+    const auto is_met = [&](double demand, double effect) {
+        constexpr double rounding = 1e-12;
+        return demand - force * effect <= rounding * std::abs(demand);
+    };
+    return force < infinity && is_met(toe.overturning_moment, lever) && is_met(toe.unresisted_force, grip)
+               ? CableForce{CableState::found, force}
+               : CableForce{CableState::cannot_hold, 0};
 }
 
 }  // namespace

@@ -367,6 +367,18 @@ TEST(SteppedBase, OneColumnIsTheSingleBlock) {
     EXPECT_NEAR(analyse(problem).factor_of_safety, std::tan(degrees(30)) / std::tan(degrees(20)), 1e-14);
 }
 
+// The block slides without it. Its lever, 6 m x cos 100 deg, turns the block outwards: 210 kN m/m of a reserve of 139.
+TEST(SteppedBase, ASteepCableThatOverturnsTheColumnHoldsItNot) {
+    SteppedBase<> problem{};
+    problem.scene.columns = BlockColumns<>{degrees(60), {{6, 4, 0, std::nullopt}}};
+    problem.scene.rock.unit_weight = 25e3;
+    problem.scene.water = Dry{};
+    problem.joints.friction_angle = degrees(30);
+    problem.bases = {degrees(25), 0};
+    EXPECT_EQ(required_cable(problem, {1, degrees(70), 6, 1}).state, CableState::cannot_hold);
+    EXPECT_EQ(required_cable(problem, {1, degrees(20), 6, 1}).state, CableState::found);
+}
+
 TEST(SteppedBase, CablesInOtherColumnsAndInWrongPlaces) {
     const SteppedBase<> problem = goodman_bray(0.65);
     const auto state = [&](const RequiredCable<>& cable) { return required_cable(problem, cable).state; };
