@@ -36,7 +36,7 @@ Expected expected_evaluations(const Mechanism& mechanism, const FitSettings& set
                                  : (is_global(settings.algorithm) ? settings.evaluations_per_start : usual_start) *
                                        static_cast<long>(settings.starts);
     expected.profiles = 2 * count * (settings.profile_points + 12) * (count > 1 ? 12 * count : 2);
-    expected.loci = count * (count - 1) / 2 * settings.map_points * 24;
+    expected.loci = mechanism.model.costly ? 0 : count * (count - 1) / 2 * settings.map_points * 24;
     expected.runs = mechanism.model.costly ? settings.surrogate.runs * weight_of_run : 0;
     expected.map = count < 2 ? 0 : static_cast<long>(settings.map_points) * settings.map_points;
     return expected;

@@ -141,7 +141,7 @@ std::vector<FailureLocus> trace_failure_loci(const Search& search, std::span<con
     const Misfit& misfit = search.misfit;
     const auto output = misfit.output("factor_of_safety");
     const std::vector<std::size_t> free = misfit.free_parameters();
-    if (!output || free.size() < 2) {
+    if (!output || free.size() < 2 || search.surrogate != nullptr) {
         return {};
     }
     std::vector<std::pair<std::size_t, double>> spreads;

@@ -154,6 +154,15 @@ TEST(Surrogate, CoarseModelsHaveToFitTheirMechanism) {
     EXPECT_EQ(check_problem(problem), std::vector<std::string>{"mechanism: a coarse model is for costly ones only"});
 }
 
+TEST(Surrogate, NoFailureLocusIsTracedThroughACostlyModel) {
+    for (const bool costly : {true, false}) {
+        FitProblem problem = curved_problem(costly);
+        problem.mechanisms[0].model.outputs[0].name = "factor_of_safety";
+        problem.observations[0].quantity = "factor_of_safety";
+        EXPECT_EQ(only(fit(problem)).loci.empty(), costly);
+    }
+}
+
 TEST(Surrogate, FirstRunsAreAmongAllRuns) {
     FitProblem problem = curved_problem(true);
     problem.settings.surrogate.runs = 19;
