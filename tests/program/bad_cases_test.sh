@@ -309,6 +309,15 @@ done
 delabole verify folder.toml
 expect_status 3
 expect_error 'there is nothing to compare'
+title "likely mistakes in lines that are no TOML"
+sed 's/^height = "12 m"/height = 12,5/' good.toml >comma.toml
+sed 's/^height = "12 m"/height = "12 m/' good.toml >quote.toml
+delabole check comma.toml
+expect_status 3
+expect_error '(numbers have a decimal point, no comma)'
+delabole check quote.toml
+expect_status 3
+expect_error '(a quotation mark may be missing in this line)'
 title "empty file"
 delabole check empty.toml
 expect_status 3

@@ -252,6 +252,29 @@ Node* Node::find(std::string_view key) {
     return const_cast<Node*>(std::as_const(*this).find(key));
 }
 
+namespace {
+
+std::string_view line_of(std::string_view text, int line) {
+    for (; line > 1 && text.find('\n') != std::string_view::npos; --line) {
+        text.remove_prefix(text.find('\n') + 1);
+    }
+    return text.substr(0, text.find('\n'));
+}
+
+// What the writer of a line that is no TOML probably meant; the parser's words do not say it.
+std::string likely_mistake(std::string_view line) {
+    const auto is_digit = [](char letter) { return letter >= '0' && letter <= '9'; };
+    const std::size_t comma = line.find(',', line.find('='));
+    const bool in_number = comma != std::string_view::npos && comma > 0 && comma + 1 < line.size() &&
+                           is_digit(line[comma - 1]) && is_digit(line[comma + 1]);
+    const bool quote_missing = std::ranges::count(line, '"') % 2 != 0;
+    return quote_missing                                           ? " (a quotation mark may be missing in this line)"
+           : in_number && line.find('[') == std::string_view::npos ? " (numbers have a decimal point, no comma)"
+                                                                   : "";
+}
+
+}  // namespace
+
 Node parse_document(std::string_view text, std::string_view name) {
     if (text.size() > largest_case_bytes) {
         refuse(name, 0, 0, "is larger than 4 MiB, the limit for a case file");
@@ -267,7 +290,9 @@ Node parse_document(std::string_view text, std::string_view name) {
         return root;
     } catch (const toml::parse_error& error) {
         const Place place = place_of(error.source());
-        refuse(name, place.line, place.column, "is not a case file (TOML): " + std::string(error.description()));
+        refuse(name, place.line, place.column,
+               "is not a case file (TOML): " + std::string(error.description()) +
+                   likely_mistake(line_of(text, place.line)));
     }
 }
 

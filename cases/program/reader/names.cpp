@@ -134,8 +134,10 @@ std::string unknown_name(const Section& section, NameOf what, const std::string&
                                     : what == NameOf::measurable ? "is neither an output nor an input of any mechanism"
                                                                  : "is not ";
     const bool full = section.reading().full();  // then no correction is searched for
+    const std::string meant = full ? std::string() : suggestion(name, right_names(section.names(), what));
+    const std::string_view listed_by = what == NameOf::mechanism ? "" : what == NameOf::output ? "outputs" : "inputs";
     return std::string(is_not).append(what == NameOf::output ? section.names().output : "") +
-           (full ? "" : suggestion(name, right_names(section.names(), what)));
+           (meant.empty() && !listed_by.empty() ? " (`delabole " + std::string(listed_by) + "` lists them)" : meant);
 }
 
 const ModelNames* find_mechanism(const KnownNames& names, const std::string& name) {

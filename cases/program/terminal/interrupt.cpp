@@ -100,8 +100,7 @@ void catch_interrupts() {
 void end_work() {
     constexpr std::string_view message =
         "\ndelabole: interrupted: the work was ended where it was; evaluations and checkpoints that were written stay, "
-        "and the "
-        "same command goes on from them\n";
+        "and the same command goes on from them\n";
     const std::string_view text = message.substr(on_terminal ? 0 : 1);  // a terminal's line may hold a bar
     kill_running_program();
     [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());

@@ -205,7 +205,13 @@ void check_settings(Checker& checker, const RelaxationNumerics& settings, const 
     }
 }
 
-void check_critical(Checker& checker, const RelaxationStudy& study) {
+void check_critical(Checker& checker, const RelaxationStudy& study, const RelaxationScene& scene) {
+    if (std::ranges::none_of(scene.block, &RelaxationBlock::fixed) && !scene.belt) {
+        checker.complain("critical", std::string("has no answer where no block is fixed, since all of them fall: ") +
+                                         (std::holds_alternative<RelaxationSlope>(study.model.scene)
+                                              ? "add [scene.frame] or a [[scene.fixed]] area"
+                                              : "give one of them hold = \"fixed\""));
+    }
     if (study.settings && study.settings->watch) {
         checker.complain("settings.watch", "does not go with a search, whose runs end at their verdicts");
     }
@@ -285,7 +291,7 @@ void check_case(Checker& checker, const RelaxationStudy& study) {
     const RelaxationNumerics settings = study.settings.value_or(RelaxationNumerics{});
     check_settings(checker, settings, scene);
     if (study.critical) {
-        check_critical(checker, study);
+        check_critical(checker, study, scene);
     }
     if (study.retrogression) {
         check_retrogression(checker, study);

@@ -137,7 +137,7 @@ void append_state(const SteppedBaseAnswer& answer, const BoundState& state, bool
                what +
                    " with the least strength for which forces exist that keep them in equilibrium, one choice of such "
                    "forces, and the mechanism that proves it the least. Faces that slip open in it, as dilatant joints "
-                   "would; real ones need not. Of more than 120 forces, one in so many is drawn.");
+                   "would; real ones need not. If there are more than 120 forces, only some of them are drawn.");
 }
 
 double reduced_friction(const SteppedBase<>& problem, double factor) {
