@@ -92,6 +92,23 @@ std::string required_in_words(const PlaneFailure<>& problem, const RequiredValue
     return required_in_words(request, required);
 }
 
+// "The crack was searched for: it opens 13.4 m behind the crest." What was given in its place does not count.
+std::string searched_in_words(const CriticalSearch<>& search, const PlaneFailureResult& result) {
+    const std::string crack =
+        "opens " + value_in_words(result.crack_distance_behind_crest, Dimension::length) + " behind the crest";
+    const std::string plane = "dips at " + value_in_words(result.plane_dip, Dimension::angle);
+    const std::string where = search.under == SearchCondition::dry_slope ? " in the dry slope" : "";
+    switch (search.find) {
+    case CriticalFeature::tension_crack:
+        return "The crack was searched for" + where + ": it " + crack + ".";
+    case CriticalFeature::failure_plane:
+        return "The plane was searched for" + where + ": it " + plane + ".";
+    case CriticalFeature::both:
+        break;
+    }
+    return "The plane and the crack were searched for" + where + ": the plane " + plane + ", the crack " + crack + ".";
+}
+
 std::string outcome_in_words(PlaneFailureOutcome outcome) {
     return words_for(outcome, {"stands", "fails by sliding", "overturns before it slides",
                                "fails by sliding and overturning", "the loads lift the mass off its base"});
@@ -171,6 +188,7 @@ HeadCard head_card(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& a
         head.sentences.push_back(std::move(required));
     }
     const double water = result.base_water_force + result.crack_water_force;
+    const double seismic = study.model.seismic ? study.model.seismic->horizontal_coefficient : 0;
     head.sentences.push_back(
         value_in_words(result.section_area, Dimension::area) + " of rock, " +
         value_in_words(result.weight, Dimension::force_per_length) + ", on a plane at " +
@@ -179,8 +197,14 @@ HeadCard head_card(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& a
         value_in_words(result.resisting_force, Dimension::force_per_length) + " resist" +
         (water > 0 ? "; water takes part with " + value_in_words(result.base_water_force, Dimension::force_per_length) +
                          " on the base and " + value_in_words(result.crack_water_force, Dimension::force_per_length) +
-                         " in the crack."
-                   : "; the slope is dry."));
+                         " in the crack"
+                   : "; the slope is dry") +
+        (seismic == 0 ? "."
+                      : "; the earthquake pushes " + std::string(seismic > 0 ? "outwards" : "inwards") + " with " +
+                            value_in_words(std::abs(seismic) * result.weight, Dimension::force_per_length) + "."));
+    if (study.critical) {
+        head.sentences.push_back(searched_in_words(*study.critical, result));
+    }
     return head;
 }
 
