@@ -328,6 +328,16 @@ void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& mad
                              const std::vector<JointMaterial>& materials, const std::optional<CriticalPlan>& plan,
                              Analysis& analysis) {
     const JointedSection& section = made.section;
+    if (slope.water && !slope.water->vertex.empty()) {
+        const auto top = [](const std::vector<SectionPoint>& points) {
+            return std::ranges::max_element(points, {}, &SectionPoint::y)->y;
+        };
+        if (const double above = top(slope.water->vertex) - top(slope.geometry.outline); above > 0) {
+            analysis.warnings.push_back("the water table rises up to " + value_in_words(above, Dimension::length) +
+                                        " above the highest point of scene.outline: there the ground stands under "
+                                        "water");
+        }
+    }
     if (made.beside_frame > 0) {
         analysis.warnings.push_back(value_in_words(made.beside_frame, Dimension::length) +
                                     " of scene.outline face the frame, but do not lie on it: they are free, since the "
