@@ -146,7 +146,7 @@ bool LiveMotion::change(const RelaxationStudy& study) {
 std::string LiveMotion::picture() const {
     const RelaxationState& state = simulation_->state();
     const EnergyBalance energy_balance = simulation_->energy_balance();
-    const std::vector<CornerForce> forces = corner_forces(simulation_->bodies(), state);
+    const std::vector<CornerForce> forces = corner_forces(simulation_->bonds(), simulation_->bodies(), state);
     std::vector<BoltPull> bolts = bolt_pulls(simulation_->scene(), simulation_->bodies(), state);
     std::erase_if(bolts, [](const BoltPull& bolt) { return !bolt.holds; });
     Floats floats;

@@ -7,8 +7,36 @@
 
 namespace delabole {
 
-std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationState& state) {
+namespace {
+
+// The linear stress on the bond's face is shared between the face's ends.
+void add_forces(const Bond& bond, const Bodies& bodies, const std::vector<Motion>& motion,
+                std::vector<CornerForce>& forces) {
+    const SharedFace& face = bond.face;
+    const FacePosition at = locate(face, motion[face.block], motion[face.other]);
+    const PlanePoint<> along(at.along_x(), at.along_y());
+    const PlanePoint<> normal(at.normal_x, at.normal_y);
+    const PlanePoint<> middle =
+        bodies.centroid[face.block] + PlanePoint<>(motion[face.block].x + at.arm_x, motion[face.block].y + at.arm_y);
+    const double shear = -bond.shear_stiffness * at.slide / 2;
+    for (const double end : {-0.5, 0.5}) {
+        const double pressing =
+            -bond.normal_stiffness * at.opening / 2 + 2 * end * bond.bending_stiffness * at.turn / face.length;
+        forces.push_back({face.block, face.other, middle + end * face.length * along, pressing * normal + shear * along,
+                          pressing, shear, 2 * end * at.turn * face.length / 2 - at.opening, false});
+    }
+}
+
+}  // namespace
+
+std::vector<CornerForce> corner_forces(const std::vector<Bond>& bonds, const Bodies& bodies,
+                                       const RelaxationState& state) {
     std::vector<CornerForce> forces;
+    for (std::size_t index = 0; index < bonds.size(); ++index) {
+        if (state.bond[index].state == BondState::whole) {
+            add_forces(bonds[index], bodies, state.motion, forces);
+        }
+    }
     for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
         const auto [contact, law, memory, at] = contact_now(state.contacts, index, state.motion);
         const double weight = contact_weight(law, contact, at, memory.insists);
@@ -34,7 +62,8 @@ MotionFrame frame_of(const Simulation& simulation, FrameParts parts) {
             state.motion,
             simulation.block_outcomes(),
             bolt_pulls(simulation.scene(), simulation.bodies(), state),
-            parts == FrameParts::all ? corner_forces(simulation.bodies(), state) : std::vector<CornerForce>{}};
+            parts == FrameParts::all ? corner_forces(simulation.bonds(), simulation.bodies(), state)
+                                     : std::vector<CornerForce>{}};
 }
 
 // The result is even. Frames of motion alone have the same limit for a scene of any size.
@@ -85,7 +114,7 @@ HistoryLine history_line(const HistoryRequest& request, const Simulation& simula
             {motion.x - origin.x, motion.y - origin.y, motion.angle - origin.angle, motion.vx, motion.vy, motion.spin});
     }
     if (!request.contact.empty()) {
-        const std::vector<CornerForce> forces = corner_forces(simulation.bodies(), state);
+        const std::vector<CornerForce> forces = corner_forces(simulation.bonds(), simulation.bodies(), state);
         for (const ContactMonitor& monitor : request.contact) {
             const auto block = static_cast<std::size_t>(monitor.block) - 1;
             const auto other = static_cast<std::size_t>(monitor.other) - 1;

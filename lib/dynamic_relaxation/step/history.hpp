@@ -76,14 +76,16 @@ struct CornerForce {
     std::size_t other;
     PlanePoint<> at;     // in the frame of the initial geometry, moved
     PlanePoint<> force;  // N/m, on `block`
-    double normal;       // N/m, compressive
+    double normal;       // N/m, compressive; negative where a bond pulls
     double shear;        // N/m, along the edge
     double overlap;      // m
     bool sliding;
 };
 
-// Spring forces of all corners in compression; in equilibrium these are all contact forces.
-std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationState& state);
+// Spring forces of all corners in compression and, at both ends of their faces, of all bonds that are whole; in
+// equilibrium these are all forces between blocks.
+std::vector<CornerForce> corner_forces(const std::vector<Bond>& bonds, const Bodies& bodies,
+                                       const RelaxationState& state);
 
 struct MotionFrame {
     double time = 0;

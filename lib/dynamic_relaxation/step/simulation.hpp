@@ -50,6 +50,7 @@ class Simulation {
     const RelaxationSettings& settings() const { return settings_; }
     const RelaxationState& state() const { return state_; }
     const Bodies& bodies() const { return bodies_; }
+    const std::vector<Bond>& bonds() const { return bonds_.list(); }
 
     // s; whatever is scheduled up to this time is done now, because no later step ends nearer to it.
     double reached() const { return state_.time + state_.step / 2; }

@@ -93,7 +93,8 @@ Figure force_figure(const RelaxationRun& made, const Bodies& bodies) {
     const Upright upright(made.result.tilt);
     BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, false);
     drawing.title = "Contact forces after " + value_in_words(made.result.time, Dimension::time);
-    for (const CornerForce& force : corner_forces(bodies, *made.end)) {
+    const std::vector<Bond> bonds = make_bonds(made.scene, bodies, made.settings.viscous_damping);
+    for (const CornerForce& force : corner_forces(bonds, bodies, *made.end)) {
         const bool on_fixed = bodies.fixed[force.block] != 0;
         const bool by_fixed = bodies.fixed[force.other] != 0;
         drawing.forces.push_back({upright(force.at), (on_fixed ? -1 : 1) * upright(force.force),
@@ -265,9 +266,10 @@ void append_block_figures(const RelaxationRun& made, const Sheet& sheet) {
         sheet.draw(*figure, "velocities", "Velocities of the centroids at the end of the run.");
     }
     sheet.draw(force_figure(made, bodies), "contact_forces",
-               "Forces of the springs at the corners at the end of the run: on free "
-               "blocks by fixed ones, and on the block of the corner by its neighbour. Too many "
-               "for arrows, they are lines along the forces, as thick as these are great.");
+               "Forces at the corners at the end of the run, those of cohesive and bonded faces at their ends: on free "
+               "blocks by fixed ones, and on the block of the corner by its neighbour. The smallest have arrows of the "
+               "least length that can be seen. Where there are too many for arrows, lines run along the forces, as "
+               "thick as these are great.");
     append_table();
 }
 

@@ -1,6 +1,7 @@
 // Bonds are elastic, objective, keep the energy balance, make beams of rows of blocks, and break where beams crack.
 #include "dynamic_relaxation/contact/bonds.hpp"
 #include "dynamic_relaxation/checkpoint/checkpoint.hpp"
+#include "dynamic_relaxation/step/history.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
 #include "tests/lib/dynamic_relaxation/relaxation_scenes.hpp"
 
@@ -145,6 +146,30 @@ TEST(Bonds, FeelNothingOfRigidMotionAndTurnWithIt) {
         };
         const double energy = elastic_energy(*between, deformed(0, {0, 0}));
         EXPECT_NEAR(elastic_energy(*between, deformed(angle, shift)), energy, 1e-9 * energy);
+    }
+}
+
+// Forces at the ends of the bonds' faces carry the weight of each block and its moment.
+TEST(Bonds, ForcesAtTheEndsOfTheirFacesBalanceTheBlocks) {
+    const RelaxationScene scene = cantilever(4);
+    const Simulation simulation(scene, {});
+    const Bodies& bodies = simulation.bodies();
+    std::vector<PlanePoint<>> sum(bodies.size(), PlanePoint<>(0, 0));
+    std::vector<double> moment(bodies.size(), 0);
+    for (const CornerForce& force : corner_forces(simulation.bonds(), bodies, simulation.state())) {
+        for (const auto& [block, sign] : {std::pair(force.block, 1.0), std::pair(force.other, -1.0)}) {
+            const Motion& moved = simulation.state().motion[block];
+            const PlanePoint<> arm = force.at - bodies.centroid[block] - PlanePoint<>(moved.x, moved.y);
+            sum[block] += sign * force.force;
+            moment[block] += sign * (arm.x() * force.force.y() - arm.y() * force.force.x());
+        }
+    }
+    // Balance is found to 1e-7 of a block's weight; forces on deformed faces turn with them, by 1e-4 and less.
+    const double whole = density * gravity * length * depth;
+    for (std::size_t block = 0; block + 1 < bodies.size(); ++block) {
+        EXPECT_NEAR(sum[block].x(), 0, 1e-3 * whole) << block;
+        EXPECT_NEAR(sum[block].y(), whole / 4, 1e-6 * whole) << block;
+        EXPECT_NEAR(moment[block], 0, 1e-3 * whole * length) << block;
     }
 }
 
