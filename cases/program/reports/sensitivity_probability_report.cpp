@@ -199,7 +199,8 @@ void document_reliability(const StudySubject& subject, const ReliabilityResult& 
     }
     put<&ReliabilityResult::reliability_index, &ReliabilityResult::probability_of_failure>(json, result);
     const DesignPoint& nearest = result.points.front();
-    Table table{"Design point: the likeliest way to fail",
+    Table table{result.medians_fail ? "Design point: the likeliest way to stand, since the median fails"
+                                    : "Design point: the likeliest way to fail",
                 {"parameter", "design point"_number, "standard deviations from the median"_number, "alpha"_number,
                  "importance"_number}};
     CsvTable csv(
