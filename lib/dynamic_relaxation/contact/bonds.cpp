@@ -113,7 +113,8 @@ Bond make_joint_bond(const SharedFace& face, const JointMaterial& joint, const B
 }
 
 bool has_strength_to_lose(const JointMaterial& joint) {
-    return joint.tensile_strength > 0 || joint.cohesion > joint.residual_cohesion;
+    return joint.tensile_strength > 0 || joint.cohesion > joint.residual_cohesion ||
+           joint.residual_friction_angle.value_or(joint.friction_angle) < joint.friction_angle;
 }
 
 BlockPair blocks_of(const SharedFace& face) {

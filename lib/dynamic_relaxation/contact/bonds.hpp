@@ -93,7 +93,8 @@ std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies,
 
 // Bonds across all faces that lie on each other in the initial geometry. A bond is of rock where the joints of both
 // faces are bonded; once it has broken, the contacts of joint_between act. Otherwise a bond is of that joint itself, if
-// it has strength to lose: tensile strength, or more cohesion than remains.
+// it has strength to lose: tensile strength, or more cohesion or friction than remains. Corners that slip one after the
+// other would lose the peak of a face before the face has reached it.
 std::vector<FaceBond> find_bonds(const RelaxationScene& scene);
 
 // Energy of the bond's springs, J/m.

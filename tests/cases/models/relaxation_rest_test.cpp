@@ -174,7 +174,7 @@ vertex = [{ x = "10.9497545788 m", y = "5.97 m" }, { x = "15.9497545788 m", y = 
 )";
     const auto says = [](const Analysis& analysis) {
         return std::ranges::any_of(analysis.warnings, [](const std::string& warning) {
-            return warning.starts_with("statics finds forces up to a factor of 2.9: joints lose their cohesion");
+            return warning.starts_with("statics finds forces up to a factor of 2.9: joints lose strength");
         });
     };
     EXPECT_TRUE(says(search_for_factor(text)));

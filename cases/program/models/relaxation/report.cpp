@@ -304,12 +304,16 @@ void append_bound_of_statics(const RelaxationStudy& study, const RelaxationScene
                                 Dimension::ratio, bound, false});
     constexpr double model_error = 0.01;  // blocks rotate and joints deform before they fail
     constexpr double well_below = 0.95;
-    const auto is_brittle = [](const JointMaterial& joint) { return joint.residual_cohesion < joint.cohesion; };
+    const auto is_brittle = [&](std::size_t index) {
+        const JointMaterial& joint = scene.material[index];
+        return joint.residual_cohesion < joint.cohesion ||
+               joint.residual_friction_angle.value_or(joint.friction_angle) < joint.friction_angle;
+    };
     if (critical.status == CriticalStatus::found && critical.value() < well_below * bound &&
-        std::ranges::any_of(scene.material, is_brittle)) {
+        std::ranges::any_of(make_bodies(scene).material, is_brittle)) {
         analysis.warnings.push_back("statics finds forces up to a factor of " + number_in_words(bound) +
-                                    ": joints lose their cohesion where they slip first, and what they held is left to "
-                                    "the rest; residual_cohesion of a joint is what it keeps");
+                                    ": joints lose strength where they slip first, and what they held is left to the "
+                                    "rest; residual_cohesion and residual_friction_angle of a joint are what it keeps");
     }
     if (critical.status == CriticalStatus::found && critical.value() > (1 + model_error) * bound) {
         const bool may_be_apart = initial_contact(study) == InitialContact::perhaps_none;

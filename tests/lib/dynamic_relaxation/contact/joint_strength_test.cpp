@@ -108,6 +108,24 @@ TEST(JointStrength, TensionOfLittleUseDoesNotHoldAColumn) {
     }
 }
 
+// At two corners the heel, with less weight on it, slipped first and left its peak: at 24.6 deg, half as high as wide.
+TEST(JointStrength, PeakFrictionHoldsTheWholeFace) {
+    for (const double height_to_width : {0.1, 0.5, 1.0}) {
+        for (const double part : {0.998, 1.002}) {
+            OnPlane plane;
+            plane.height_to_width = height_to_width;
+            plane.friction = degrees(30);
+            plane.tilt = part * plane.friction;
+            RelaxationScene scene = relaxation_scenes::scene_of(plane);
+            scene.material[0].residual_friction_angle = degrees(15);
+            scene.bond = find_bonds(scene);
+            EXPECT_EQ(relax(scene, until_onset()).outcome,
+                      part < 1 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset)
+                << height_to_width;
+        }
+    }
+}
+
 TEST(JointStrength, CarriesAHangingBlockByItsWholeFace) {
     for (const double part : {0.998, 1.002}) {
         OnPlane plane;
@@ -194,6 +212,7 @@ TEST(JointStrength, IsSpreadWhereItCanBeLost) {
     EXPECT_EQ(bonds([](JointMaterial&) {}), 0U);
     EXPECT_EQ(bonds([](JointMaterial& one) { one.cohesion = 1; }), 1U);
     EXPECT_EQ(bonds([](JointMaterial& one) { one.tensile_strength = 1; }), 1U);
+    EXPECT_EQ(bonds([](JointMaterial& one) { one.residual_friction_angle = one.friction_angle / 2; }), 1U);
     // Perfectly plastic corners add up to limit equilibrium themselves.
     EXPECT_EQ(bonds([](JointMaterial& one) { one.cohesion = one.residual_cohesion = 1; }), 0U);
     // The lesser cohesion of two joints in contact counts.
