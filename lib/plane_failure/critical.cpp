@@ -180,7 +180,7 @@ class Search {
         };
         return problem_.tension_crack && std::holds_alternative<Dry>(problem_.water) && !problem_.pond &&
                !problem_.slope.bench && problem_.slope.upper_surface_dip == 0 && problem_.surcharge.empty() &&
-               problem_.line_load.empty() && problem_.bolt.empty() && !problem_.tension_cutoff &&
+               problem_.line_load.empty() && problem_.bolt.empty() &&
                std::visit(linear_with_cohesion, problem_.strength);
     }
 
@@ -341,6 +341,9 @@ CriticalGeometry find_critical_geometry(const PlaneFailure<>& problem, const Cri
     if (request.under == SearchCondition::dry_slope) {
         searched.water = Dry{};
         searched.pond.reset();
+    }
+    if (!searched.tension_cutoff) {
+        searched.tension_cutoff = TensionCutoff<>{std::numeric_limits<double>::max()};
     }
     Search search(searched, with_crack);
     const ScalarMinimum minimum = minimise(search, request, with_crack);

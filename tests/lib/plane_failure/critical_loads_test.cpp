@@ -16,6 +16,7 @@ namespace {
 // 12 m high, with one to four loads behind the crest, often on a bench.
 PlaneFailure<> loaded_slope(RandomProblem& random) {
     PlaneFailure<> problem = textbook_slope();
+    problem.tension_cutoff = TensionCutoff<>{1e12};  // as much as the search lets the plane bear
     problem.slope.face_dip = degrees(random.uniform(50, 88));
     problem.failure_plane.dip = degrees(random.uniform(20, 45));
     problem.slope.upper_surface_dip = degrees(random.chance(0.5) ? 0 : random.uniform(-10, 15));

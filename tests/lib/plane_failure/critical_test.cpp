@@ -100,6 +100,7 @@ TEST(CriticalCrack, WaterAgainstBruteForce) {
         for (const double filled : {0.2, 0.5, 0.9, 1.0}) {
             for (const double cohesion : {5e3, 25e3, 100e3}) {
                 PlaneFailure<> problem = textbook_slope();
+                problem.tension_cutoff = TensionCutoff<>{1e12};  // as much as the search lets the plane bear
                 problem.tension_crack->dip = degrees(crack_dip);
                 problem.strength = Coulomb<>{cohesion, degrees(37)};
                 problem.water = CrackAndBaseWater<>{9.81e3, FilledRatio<>{filled}};
@@ -198,6 +199,7 @@ TEST(CriticalBoth, AgainstBruteForce) {
     for (const double filled : {0.0, 0.5, 1.0}) {
         for (const double cohesion : {10e3, 50e3}) {
             PlaneFailure<> problem = textbook_slope();
+            problem.tension_cutoff = TensionCutoff<>{1e12};  // as much as the search lets the plane bear
             problem.slope.face_dip = degrees(75);
             problem.strength = Coulomb<>{cohesion, degrees(30)};
             problem.water = CrackAndBaseWater<>{9.81e3, FilledRatio<>{filled}};
