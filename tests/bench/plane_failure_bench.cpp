@@ -90,7 +90,7 @@ BENCHMARK(critical_crack_and_plane);
 void required_cohesion(benchmark::State& state) {
     const PlaneFailure<> problem = hoek_bray();
     for (auto _ : state) {
-        benchmark::DoNotOptimize(required_value(problem, "strength.cohesion", 1));
+        benchmark::DoNotOptimize(required_value({problem, {}, {}}, "strength.cohesion", 1));
     }
 }
 BENCHMARK(required_cohesion);
