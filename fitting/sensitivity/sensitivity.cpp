@@ -92,6 +92,9 @@ std::vector<std::size_t> without_effect(const SensitivityResult& result, std::si
     return without;
 }
 
+// Cause of a sample whose mean is only known to be at most, or at least, a value on the other side of the limit.
+constexpr std::string_view bound_beside_limit = "mean_known_as_bound";
+
 bool found_nothing(const SensitivityResult& result) {
     const auto nothing = [](const EvaluationCount& count) { return count.total > 0 && count.failed() == count.total; };
     return (result.tornado && nothing(result.tornado->evaluations)) ||
@@ -116,7 +119,8 @@ Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study
         }
     }
     const std::size_t output = demanded_place(model.outputs, name);
-    return [&model, assigned, parameter_of, output](std::span<const double> parameters) -> Evaluation {
+    const std::optional<FailureCriterion> criterion = name == study.quantity ? study.failure : std::nullopt;
+    return [&model, assigned, parameter_of, output, criterion](std::span<const double> parameters) -> Evaluation {
         std::vector<Assignment> assignments = assigned;
         for (std::size_t index = 0; index < assignments.size(); ++index) {
             assignments[index].value = parameters[parameter_of[index]];
@@ -124,6 +128,10 @@ Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study
         const Prediction prediction = model.predict(assignments);
         if (!prediction.failure.empty()) {
             return {0, prediction.failure};
+        }
+        const auto bounded = std::ranges::find(model.bounded_means, output, &BoundedMean::output);
+        if (criterion && bounded != model.bounded_means.end() && !criterion->failed(bounded->range(prediction))) {
+            return {0, bound_beside_limit};
         }
         return {prediction.outputs[output], {}};
     };

@@ -68,6 +68,26 @@ struct OutputBound {
     Interval within;           // does not depend on the inputs of the model
 };
 
+// An output that is a mean, of which some values may lie beyond the ends of a search and are taken at these: it is then
+// at most what is given, or at least that.
+struct BoundedMean {
+    std::size_t output;    // index into ModelInterface::outputs
+    std::size_t at_lower;  // likewise, of the number of values taken at the lower end
+    std::size_t at_upper;  // likewise at the upper end
+
+    // Where the mean lies, by a prediction that has not failed.
+    Interval range(const Prediction& prediction) const {
+        Interval mean;
+        if (prediction.outputs[at_lower] == 0) {
+            mean.lower = prediction.outputs[output];
+        }
+        if (prediction.outputs[at_upper] == 0) {
+            mean.upper = prediction.outputs[output];
+        }
+        return mean;
+    }
+};
+
 struct ModelInterface {
     std::vector<Quantity> inputs;
     std::vector<Quantity> outputs;
@@ -78,6 +98,7 @@ struct ModelInterface {
     // A prediction takes longer than a millisecond, many times the time to store it on the disk and to find it again:
     // loops store what they have computed.
     bool costly = false;
+    std::vector<BoundedMean> bounded_means = {};
 };
 
 // Every number of a described parameter struct, as inputs.

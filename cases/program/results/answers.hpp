@@ -45,10 +45,12 @@ struct RelaxationStudyAnswer {
     // The next two are set if a critical value is asked for and the run was not interrupted.
     std::optional<CriticalPlan> plan{};
     std::optional<CriticalAnswer> critical{};
-    std::optional<OtherPath> other_path{};     // whether the value found holds on another one, if that was tried
-    std::optional<double> fails_if_softer{};   // value at which the blocks fail with softer joints already
-    std::optional<double> bound_of_statics{};  // greatest factor of safety, if a bound exists
-    std::optional<Prediction> mean{};          // of the ensemble, if one is asked for and its first run has an answer
+    std::optional<OtherPath> other_path{};         // whether the value found holds on another one, if that was tried
+    std::optional<double> fails_if_softer{};       // value at which the blocks fail with softer joints already
+    std::optional<double> bound_of_statics{};      // greatest factor of safety, if a bound exists
+    std::optional<EnsemblePrediction> ensemble{};  // if one is asked for and its first run has an answer
+
+    bool has_means() const { return ensemble && ensemble->failure.empty(); }
 };
 
 }  // namespace delabole

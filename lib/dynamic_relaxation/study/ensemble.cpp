@@ -46,6 +46,16 @@ class Shares {
     double step_ = 1;
 };
 
+constexpr std::string_view without_answer_name = "ensemble_without_answer";
+constexpr std::string_view failing_share_name = "ensemble_failing_share";
+constexpr std::string_view at_lower_name = "ensemble_at_lower";
+constexpr std::string_view at_upper_name = "ensemble_at_upper";
+
+// Why a member has no answer, or where its search ended; empty if it has found all.
+std::string_view word_of(const EnsembleMember& member) {
+    return member.prediction.failure.empty() ? member.ended_at : member.prediction.failure;
+}
+
 double deviated(double friction_angle, double by) {
     return std::clamp(friction_angle + by, 0.0, degrees(89.9));
 }
@@ -87,26 +97,46 @@ RelaxationStudy member_of(const RelaxationStudy& study, std::size_t member) {
     return made;
 }
 
-EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction first,
-                                    const std::function<Prediction(const RelaxationStudy&)>& predict,
+EnsemblePrediction predict_ensemble(const RelaxationStudy& study, EnsembleMember first,
+                                    const std::function<EnsembleMember(const RelaxationStudy&)>& predict,
                                     const std::function<bool(double)>& go_on) {
     const auto runs = static_cast<std::size_t>(study.ensemble->runs);
-    std::vector<Prediction> members{std::move(first)};
+    std::vector<EnsembleMember> all{std::move(first)};
     for (std::size_t member = 1; member < runs; ++member) {
         if (go_on && !go_on(static_cast<double>(member) / static_cast<double>(runs))) {
             return {"interrupted"};
         }
-        members.push_back(predict(member_of(study, member)));
+        all.push_back(predict(member_of(study, member)));
     }
-    const auto failed = std::ranges::find_if(members, [](const Prediction& one) { return !one.failure.empty(); });
-    const std::string_view failure = failed == members.end() ? std::string_view() : failed->failure;
     EnsemblePrediction ensemble;
-    ensemble.without_answer =
-        static_cast<double>(std::erase_if(members, [](const Prediction& one) { return !one.failure.empty(); }));
-    if (ensemble.without_answer > most_without_answer * static_cast<double>(runs)) {
-        return {failure};
+    if (study.critical) {
+        ensemble.at_bounds.emplace();
     }
-    const auto count = static_cast<double>(members.size());
+    std::vector<Prediction> members;
+    for (EnsembleMember& one : all) {
+        if (!one.prediction.failure.empty()) {
+            ensemble.first_cause = ensemble.without_answer == 0 ? one.prediction.failure : ensemble.first_cause;
+            ++ensemble.without_answer;
+            continue;
+        }
+        ++ensemble.answered;
+        ensemble.failing += one.fails ? 1 : 0;
+        if (ensemble.at_bounds) {
+            ensemble.at_bounds->lower += one.at_lower ? 1 : 0;
+            ensemble.at_bounds->upper += one.at_upper ? 1 : 0;
+        }
+        members.push_back(std::move(one.prediction));
+    }
+    if (const std::string_view word = word_of(all.front());
+        !word.empty() && std::ranges::all_of(all, [&](const EnsembleMember& one) { return word_of(one) == word; })) {
+        ensemble.failure = word;
+        return ensemble;
+    }
+    if (ensemble.without_answer > most_without_answer * static_cast<double>(runs)) {
+        ensemble.failure = slopes_without_answer;
+        return ensemble;
+    }
+    const double count = ensemble.answered;
     ensemble.mean.resize(members.front().outputs.size());
     ensemble.deviation.resize(ensemble.mean.size());
     for (std::size_t output = 0; output < ensemble.mean.size(); ++output) {
@@ -146,9 +176,9 @@ EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction fir
     return ensemble;
 }
 
-std::vector<Quantity> outputs_of_ensemble(std::vector<Quantity> outputs) {
+std::vector<Quantity> outputs_of_ensemble(std::vector<Quantity> outputs, const std::optional<CriticalPlan>& plan) {
     const std::size_t means = outputs.size();
-    outputs.reserve(2 * means + 2);
+    outputs.reserve(2 * means + 5);
     for (std::size_t index = 0; index < means; ++index) {
         const Quantity& mean = outputs[index];
         outputs.push_back({std::string(deviation_prefix) + mean.name, mean.dimension,
@@ -156,9 +186,28 @@ std::vector<Quantity> outputs_of_ensemble(std::vector<Quantity> outputs) {
     }
     outputs.push_back({std::string(deviation_of_profile), Dimension::length,
                        "root mean square distance of their ground left standing from its mean"});
-    outputs.push_back(
-        {"ensemble_without_answer", Dimension::ratio, "slopes of the ensemble that are left out of the mean"});
+    const auto append = [&](std::string_view name, std::string meaning) {
+        outputs.push_back({std::string(name), Dimension::ratio, std::move(meaning)});
+    };
+    append(without_answer_name, "slopes of the ensemble that are left out of the mean");
+    if (plan) {
+        append(failing_share_name, "share of the other slopes of the ensemble that fail at the strength as given");
+        const std::string value(name_of_critical(plan->parameter));
+        append(at_lower_name, "slopes of the ensemble for which " + value + " is taken at critical.lower: it is less");
+        append(at_upper_name, "slopes of the ensemble for which " + value + " is taken at critical.upper: it is more");
+    }
     return outputs;
+}
+
+std::vector<BoundedMean> bounded_means(const CriticalPlan& plan, std::size_t critical,
+                                       const std::vector<Quantity>& outputs) {
+    const std::size_t below = place_of(outputs, at_lower_name).value();
+    const std::size_t above = place_of(outputs, at_upper_name).value();
+    std::vector<BoundedMean> means;
+    for (std::size_t path = 0; path < plan.path.size(); ++path) {
+        means.push_back({critical + path, below, above});
+    }
+    return means;
 }
 
 Prediction prediction_of(EnsemblePrediction ensemble) {
@@ -169,6 +218,11 @@ Prediction prediction_of(EnsemblePrediction ensemble) {
     outputs.insert(outputs.end(), ensemble.deviation.begin(), ensemble.deviation.end());
     outputs.push_back(ensemble.profile_deviation);
     outputs.push_back(ensemble.without_answer);
+    if (ensemble.at_bounds) {
+        outputs.push_back(ensemble.failing / ensemble.answered);
+        outputs.push_back(ensemble.at_bounds->lower);
+        outputs.push_back(ensemble.at_bounds->upper);
+    }
     return {{}, std::move(outputs), std::move(ensemble.profile)};
 }
 

@@ -9,6 +9,7 @@
 // fit can use it.
 #pragma once
 
+#include "dynamic_relaxation/study/critical_request.hpp"
 #include "parameters/fields.hpp"
 #include "parameters/model_interface.hpp"
 
@@ -40,28 +41,59 @@ struct EnsembleRequest {
 // A member of a jointed slope's ensemble; member 0 is the study itself. The returned study has no ensemble.
 RelaxationStudy member_of(const RelaxationStudy& study, std::size_t member);
 
-struct EnsemblePrediction {
-    std::string_view failure = {};       // of the first member without an answer, if too many have none
-    double without_answer = 0;           // number of members without an answer; the other results are from the rest
-    std::vector<double> mean = {};       // of each output of a member
-    std::vector<double> deviation = {};  // standard deviation of each output between the members
-    Polyline profile = {};               // mean elevation of the ground left standing
-    double profile_deviation = 0;        // m, root mean square distance of the members' profiles from it
+// A member whose search ended at a bound has an answer all the same: its critical value lies beyond that bound, and is
+// taken at it. What has failed in its run as given is known as for any other member.
+struct EnsembleMember {
+    Prediction prediction;
+    bool fails = false;              // at the strength as given
+    bool at_lower = false;           // its critical value, on one of its paths, was taken at the least value tried
+    bool at_upper = false;           // likewise at the greatest
+    std::string_view ended_at = {};  // word for the end of a search at a bound; empty if it found a value
 };
+
+// A mean is at most what is found with values taken at the lower bound, and at least what is found with values taken at
+// the upper one. With both it is neither.
+struct MembersAtBounds {
+    double lower = 0;  // number of members
+    double upper = 0;
+};
+
+struct EnsemblePrediction {
+    // Word of the members if all have the same, or `slopes_without_answer`, or "interrupted". A word of some members is
+    // never that of their mean, for it may bound their critical value.
+    std::string_view failure = {};
+    std::string_view first_cause = {};              // word of the first member without an answer
+    double without_answer = 0;                      // number of members without an answer
+    double answered = 0;                            // number of the other members, of which all other results are
+    double failing = 0;                             // number of these that fail at the strength as given
+    std::optional<MembersAtBounds> at_bounds = {};  // with a search
+    std::vector<double> mean = {};                  // of each output of a member
+    std::vector<double> deviation = {};             // standard deviation of each output between the members
+    Polyline profile = {};                          // mean elevation of the ground left standing
+    double profile_deviation = 0;                   // m, root mean square distance of the members' profiles from it
+};
+
+inline constexpr std::string_view slopes_without_answer = "slopes_without_answer";
 
 // Runs that lost their energy balance or their blocks give no answer. If their share is greater than this, the mean of
 // the other runs would not represent the ensemble.
 inline constexpr double most_without_answer = 0.25;
 
-// `first`: prediction of the study itself. `predict`: makes those of the other members. `go_on` receives the share
-// done; if it returns false, the work ends with the failure "interrupted".
-EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction first,
-                                    const std::function<Prediction(const RelaxationStudy&)>& predict,
+// `first`: answer of the study itself. `predict`: makes those of the other members. `go_on` receives the share done; if
+// it returns false, the work ends with the failure "interrupted".
+EnsemblePrediction predict_ensemble(const RelaxationStudy& study, EnsembleMember first,
+                                    const std::function<EnsembleMember(const RelaxationStudy&)>& predict,
                                     const std::function<bool(double)>& go_on);
 
 // Outputs of a model with an ensemble: for each output of a member its mean, under the same name, then its deviation
-// (deviation_prefix), the deviation of the profile, and the number of members without an answer.
-std::vector<Quantity> outputs_of_ensemble(std::vector<Quantity> outputs);
+// (deviation_prefix), the deviation of the profile, and the number of members without an answer; with a search also the
+// share of members that fail as given, and the numbers of those taken at its bounds.
+std::vector<Quantity> outputs_of_ensemble(std::vector<Quantity> outputs, const std::optional<CriticalPlan>& plan);
+
+// Which of these outputs, for a search on the paths of the plan whose first value is the output `critical` of a member,
+// are only bounds if members were taken at bounds.
+std::vector<BoundedMean> bounded_means(const CriticalPlan& plan, std::size_t critical,
+                                       const std::vector<Quantity>& outputs);
 
 // Results in the order of outputs_of_ensemble; none if the ensemble failed.
 Prediction prediction_of(EnsemblePrediction ensemble);

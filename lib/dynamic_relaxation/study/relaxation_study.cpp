@@ -98,26 +98,76 @@ Prediction prediction_of(const RelaxationStudy& study, const RelaxationRun& made
     return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
 }
 
-// The prediction of the study without its ensemble.
-Prediction predict_once(const RelaxationStudy& study) {
-    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
-        const SlopeScene made = slope_scene(*slope);
-        if (made.check != SlopeCheck::valid) {
-            return {word_of(made.check), {}, {}};
+// Whether the blocks fail at the strength as given: by the factor of safety, if that was searched for, or by the run.
+bool fails_as_given(const RelaxationRun& made, const CriticalPlan* plan,
+                    const std::optional<CriticalAnswer>& critical) {
+    if (plan != nullptr && plan->parameter == CriticalParameter::strength_reduction) {
+        const bool found = critical->status == CriticalStatus::found;
+        if (found || (critical->status == CriticalStatus::fails_everywhere && plan->lower <= 1)) {
+            return !found || critical->value() < 1;
         }
+        if (critical->status == CriticalStatus::stands_everywhere && plan->upper >= 1) {
+            return false;
+        }
+    }
+    return made.in_stages ? !made.stage.empty() : made.failed() || made.result.onset_time.has_value();
+}
+
+// The answer of a member of an ensemble, with critical values at the bounds at which their search ended.
+EnsembleMember member_answer(const RelaxationStudy& study, const RelaxationRun& made,
+                             std::optional<CriticalAnswer> critical) {
+    EnsembleMember member;
+    if (const std::string_view failure = failure_of(made); !failure.empty()) {
+        member.prediction.failure = failure;
+        return member;
+    }
+    std::optional<CriticalPlan> plan;
+    if (critical) {
+        plan = critical_plan(study);
+        const CriticalStatus status = critical->worst_status();
+        if (!found_or_at_bound(*plan, *critical)) {
+            member.prediction.failure = word_of(status);
+            return member;
+        }
+        member.ended_at = status == CriticalStatus::found ? std::string_view() : word_of(status);
+    }
+    member.fails = fails_as_given(made, plan ? &*plan : nullptr, critical);
+    const auto take_at_bound = [&](PathValue& value) {
+        if (value.status != CriticalStatus::found) {
+            const bool stands = value.status == CriticalStatus::stands_everywhere;
+            value.stands = value.fails = stands ? plan->should_fail() : plan->should_stand();
+            value.status = CriticalStatus::found;
+            (stands == plan->stands_low() ? member.at_upper : member.at_lower) = true;
+        }
+    };
+    if (critical) {
+        take_at_bound(*critical);
+        std::ranges::for_each(critical->other, take_at_bound);
+    }
+    member.prediction = prediction_of(study, made, critical);
+    return member;
+}
+
+// Why the slope of a study cannot be cut; empty if it can, or there is none.
+std::string_view fault_of_slope(const RelaxationStudy& study) {
+    const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene);
+    const SlopeCheck check = slope != nullptr ? slope_scene(*slope).check : SlopeCheck::valid;
+    return check == SlopeCheck::valid ? std::string_view() : word_of(check);
+}
+
+EnsembleMember predict_member(const RelaxationStudy& study) {
+    if (const std::string_view fault = fault_of_slope(study); !fault.empty()) {
+        return {{fault, {}, {}}};
     }
     const RelaxationRun made = run(study);
-    if (const std::string_view failure = failure_of(made); !failure.empty()) {
-        return {failure, {}, {}};
-    }
-    std::optional<CriticalAnswer> critical;
-    if (study.critical) {
-        critical = find_critical(study);
-        if (critical->worst_status() != CriticalStatus::found) {
-            return {word_of(critical->worst_status()), {}, {}};
-        }
-    }
-    return prediction_of(study, made, critical);
+    const bool searches = study.critical && failure_of(made).empty();
+    return member_answer(study, made, searches ? std::optional(find_critical(study)) : std::nullopt);
+}
+
+// The prediction of a study without an ensemble. A bound is no value here: the words of the search tell it.
+Prediction predict_once(const RelaxationStudy& study) {
+    EnsembleMember one = predict_member(study);
+    return one.ended_at.empty() ? std::move(one.prediction) : Prediction{one.ended_at, {}, {}};
 }
 
 Prediction predict(RelaxationStudy study, std::span<const Assignment> assignments) {
@@ -125,8 +175,9 @@ Prediction predict(RelaxationStudy study, std::span<const Assignment> assignment
     if (!in_range(study.model)) {
         return {"input_out_of_range", {}, {}};
     }
-    return study.ensemble ? prediction_of(predict_ensemble(study, predict_once(member_of(study, 0)), predict_once, {}))
-                          : predict_once(study);
+    return study.ensemble
+               ? prediction_of(predict_ensemble(study, predict_member(member_of(study, 0)), predict_member, {}))
+               : predict_once(study);
 }
 
 RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
@@ -145,7 +196,8 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
 }
 
 // A search that ended at one of its bounds gives a bound of the output. At the critical value itself the blocks stand.
-// Several paths do not say which of them ended there, and a weight does not say on which side of it the limit lies.
+// Several paths do not say which of them ended there, and a weight does not say on which side of it the limit lies. An
+// ensemble has such a word only if all its members have it.
 std::vector<OutputBound> bounds_of(const CriticalPlan& plan, std::size_t output) {
     if (plan.path.size() > 1 || plan.parameter == CriticalParameter::weight) {
         return {};
@@ -309,28 +361,44 @@ std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const R
 
 EnsemblePrediction run_ensemble(const RelaxationStudy& study, const RelaxationRun& made,
                                 const std::optional<CriticalAnswer>& critical, const RelaxationWatch& watch) {
-    return predict_ensemble(study, prediction_of(study, made, critical), predict_once, watch);
+    return predict_ensemble(study, member_answer(study, made, critical), predict_member, watch);
+}
+
+bool found_or_at_bound(const CriticalPlan& plan, const CriticalAnswer& critical) {
+    const auto is_known = [&](const PathValue& value) {
+        const bool at_bound =
+            value.status == CriticalStatus::stands_everywhere || value.status == CriticalStatus::fails_everywhere;
+        return value.status == CriticalStatus::found || (at_bound && plan.parameter != CriticalParameter::weight);
+    };
+    return is_known(critical) && std::ranges::all_of(critical.other, is_known);
 }
 
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study) {
     std::vector<Quantity> outputs = outputs_of(shape_of_answer(study));
+    std::optional<CriticalPlan> plan;
     if (study.critical) {
-        std::ranges::move(outputs_of_search(critical_plan(study)), std::back_inserter(outputs));
+        plan = critical_plan(study);
+        std::ranges::move(outputs_of_search(*plan), std::back_inserter(outputs));
     }
-    return study.ensemble ? outputs_of_ensemble(std::move(outputs)) : outputs;
+    return study.ensemble ? outputs_of_ensemble(std::move(outputs), plan) : outputs;
 }
 
 ModelInterface model_interface(const RelaxationStudy& study) {
     ModelInterface model;
     model.inputs = inputs_of(study.model);
     model.outputs = outputs_of(without_blocks_of_slope(shape_of_answer(study), study));
+    const std::size_t critical = model.outputs.size();
+    std::optional<CriticalPlan> plan;
     if (study.critical) {
-        const CriticalPlan plan = critical_plan(study);
-        model.bounds = bounds_of(plan, model.outputs.size());
-        std::ranges::move(outputs_of_search(plan), std::back_inserter(model.outputs));
+        plan = critical_plan(study);
+        model.bounds = bounds_of(*plan, critical);
+        std::ranges::move(outputs_of_search(*plan), std::back_inserter(model.outputs));
     }
     if (study.ensemble) {
-        model.outputs = outputs_of_ensemble(std::move(model.outputs));
+        model.outputs = outputs_of_ensemble(std::move(model.outputs), plan);
+        if (plan) {
+            model.bounded_means = bounded_means(*plan, critical, model.outputs);
+        }
     }
     model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
     model.costly = true;

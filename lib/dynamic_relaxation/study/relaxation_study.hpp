@@ -336,8 +336,12 @@ std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);
 // (path_deviation_prefix).
 std::vector<Quantity> outputs_of_search(const CriticalPlan& plan);
 
-// Runs the ensemble of the study, which must have one. The run and the search of its first member are given and must
-// have an answer. `watch` receives the share done.
+// Whether a value is known on each path, if only by the bound beyond which it lies. A weight may lie on either side of
+// its bounds.
+bool found_or_at_bound(const CriticalPlan& plan, const CriticalAnswer& critical);
+
+// Runs the ensemble of the study, which must have one. The run and the search of its first member are given. `watch`
+// receives the share done.
 EnsemblePrediction run_ensemble(const RelaxationStudy& study, const RelaxationRun& made,
                                 const std::optional<CriticalAnswer>& critical, const RelaxationWatch& watch);
 

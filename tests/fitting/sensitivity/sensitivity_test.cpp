@@ -85,6 +85,40 @@ TEST(Sensitivity, BoundsOfTheQuantityDecideSamples) {
     EXPECT_EQ(all_stand.propagation->failure->probability->value, 0);
 }
 
+// Of two slopes one is at x; the other is taken at the lower bound of a search, 0.2, if x is below 0.4 and at the upper
+// one, 0.6, if it is above 0.5; in between both are at x.
+TEST(Sensitivity, AMeanThatIsOnlyABoundDecidesOnlyTheSideOnWhichItLies) {
+    SensitivityProblem problem;
+    problem.model = formula_model(1, {"mean", "at_lower", "at_upper"}, [](std::span<const double> x) {
+        return x[0] < 0.4   ? answer({(x[0] + 0.2) / 2, 1, 0})
+               : x[0] > 0.5 ? answer({(x[0] + 0.6) / 2, 0, 1})
+                            : answer({x[0], 0, 0});
+    });
+    problem.model.bounded_means = {{0, 1, 2}};
+    SensitivityStudy& study = problem.study;
+    study.quantity = "mean";
+    study.parameters = {{"x1", {Uniform{0, 1}}, ""}};
+    study.propagation = PropagationSettings{SamplingMethod::latin_hypercube, 1000, 10};
+    const auto studied = [&](double limit) {
+        study.failure = FailureCriterion{limit, FailureSide::below, {}, {}};
+        return *sensitivity(problem).propagation;
+    };
+    // Means of at most 0.3 are below 0.45, and means of at least 0.55 above it.
+    const PropagationResult decided = studied(0.45);
+    EXPECT_EQ(decided.failure->decided, 1000);
+    EXPECT_DOUBLE_EQ(decided.failure->probability->value, 0.45);
+    // A mean of at most 0.25 to 0.3 may be below 0.25; one of at least 0.55 is not.
+    const PropagationResult low = studied(0.25);
+    EXPECT_EQ(low.failure->decided, 900);
+    EXPECT_DOUBLE_EQ(low.failure->least, 0.3);
+    EXPECT_DOUBLE_EQ(low.failure->greatest, 0.4);
+    // A mean of at least 0.55 to 0.7 may be above 0.7.
+    EXPECT_EQ(studied(0.7).failure->decided, 700);
+    // Without a limit the mean is a value like any other.
+    study.failure.reset();
+    EXPECT_EQ(sensitivity(problem).propagation->with_value, 1000);
+}
+
 TEST(Sensitivity, NothingAnsweredIsAStatus) {
     SensitivityProblem problem = everything();
     problem.model.predict = [](std::span<const Assignment>) { return Prediction{"impossible", {}, {}}; };

@@ -1,5 +1,6 @@
 #include "cases/program/models/relaxation/critical_report.hpp"
 
+#include "cases/program/models/relaxation/ensemble_report.hpp"
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/model_reports.hpp"
@@ -180,20 +181,21 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
     }
 }
 
-// Sentences on the result of a search, with its bracket.
-std::vector<std::string> search_sentences(const CriticalPlan& plan, const CriticalAnswer& critical,
-                                          bool fails_as_given) {
+// Sentences on the result of a search, with its bracket. `as_drawn`: " as drawn" where an ensemble has other slopes.
+std::vector<std::string> search_sentences(const CriticalPlan& plan, const CriticalAnswer& critical, bool fails_as_given,
+                                          const std::string& as_drawn) {
     const Dimension dimension = dimension_of(plan.parameter);
     const bool is_factor = plan.parameter == CriticalParameter::strength_reduction;
     const std::string name = is_factor ? "factor of safety" : human_name(name_of_critical(plan.parameter));
     const double value = critical.value();
     if (critical.status != CriticalStatus::found) {
-        return {"No " + name + " found: " + path_in_words(plan, critical) + "."};
+        return {"No " + name + " found" + as_drawn + ": " + path_in_words(plan, critical) + "."};
     }
-    return {is_factor ? factor_in_words(value) + (value < 1        ? ": fails."
-                                                  : fails_as_given ? ", by strength reduction."
-                                                                   : ", by strength reduction: stands.")
-                      : capitalised(name + " " + value_in_words(value, dimension)) + ".",
+    return {is_factor ? factor_in_words(value) + as_drawn +
+                            (value < 1        ? ": fails."
+                             : fails_as_given ? ", by strength reduction."
+                                              : ", by strength reduction: stands.")
+                      : capitalised(name + " " + value_in_words(value, dimension)) + as_drawn + ".",
             "At " + bracket_in_words(critical.stands, critical.fails, dimension) + " the blocks stand, at " +
                 bracket_in_words(critical.fails, critical.stands, dimension) + " they fail."};
 }
@@ -294,8 +296,13 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
         HeadCard head{!found || fails_as_given            ? AnswerTone::open
                       : is_factor && critical.value() < 1 ? AnswerTone::bad
                                                           : AnswerTone::good,
-                      search_sentences(*answer.plan, critical, fails_as_given),
+                      search_sentences(*answer.plan, critical, fails_as_given, study.ensemble ? " as drawn" : ""),
                       {}};
+        if (answer.has_means()) {
+            head.sentences.insert(head.sentences.begin() + 1, ensemble_in_words(study, answer));
+            const bool fails = is_factor && *mean_critical(study, answer) < 1;
+            head.tone = fails ? AnswerTone::bad : answer.ensemble->failing > 0 ? AnswerTone::open : head.tone;
+        }
         const Dimension dimension = dimension_of(answer.plan->parameter);
         const std::size_t answers = head.sentences.size();
         if (answer.other_path && !answer.other_path->stands) {
@@ -313,6 +320,9 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
         return head;
     }
     HeadCard head{tone_of(made), {end_in_words(made)}, {}};
+    if (answer.has_means()) {
+        head.sentences.push_back(ensemble_in_words(study, answer));
+    }
     if (result.failed_at_rest()) {
         head.sentences.emplace_back(
             "No forces on their faces hold the blocks where they are drawn, or they moved beyond the thresholds of "

@@ -2,6 +2,7 @@
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/models/relaxation/checkpoint_file.hpp"
 #include "cases/program/models/relaxation/critical_report.hpp"
+#include "cases/program/models/relaxation/ensemble_report.hpp"
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/model_reports.hpp"
@@ -323,28 +324,6 @@ void append_bound_of_statics(const RelaxationStudy& study, const RelaxationScene
     }
 }
 
-// With an ensemble, numbers are means over it; words, tables and figures are those of the slope as given.
-void take_means(const RelaxationStudy& study, const Prediction& mean, Analysis& analysis) {
-    const std::vector<Quantity> quantities = model_interface(study).outputs;
-    for (std::size_t index = 0; index < quantities.size(); ++index) {
-        const Quantity& quantity = quantities[index];
-        const auto known = std::ranges::find(analysis.outputs, quantity.name, &NamedOutput::name);
-        if (known != analysis.outputs.end()) {
-            known->value = mean.outputs[index];
-        } else {
-            const bool told =
-                quantity.name.ends_with(".profile") || quantity.name.ends_with("post_failure.failed_area");
-            analysis.outputs.push_back(
-                {quantity.name, quantity.meaning, quantity.dimension, mean.outputs[index], !told});
-        }
-    }
-    if (const double without_answer = mean.outputs.back(); without_answer > 0) {
-        analysis.warnings.push_back(number_in_words(without_answer) + " of the " +
-                                    number_in_words(study.ensemble->runs) +
-                                    " slopes of the ensemble have no answer and are left out of its means");
-    }
-}
-
 std::string joint_key(const RelaxationStudy& study, std::size_t material) {
     if (std::holds_alternative<RelaxationPolygons>(study.model.scene) ||
         std::holds_alternative<RelaxationSlope>(study.model.scene)) {
@@ -390,11 +369,10 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
         answer.bound_of_statics = bound_of_statics(study, *answer.plan, answer.run.scene);
     }
     const bool has_answer = outcome != RelaxationOutcome::interrupted && run_in_words(answer.run).empty() &&
-                            (!answer.critical || answer.critical->worst_status() == CriticalStatus::found);
+                            (!answer.critical || found_or_at_bound(*answer.plan, *answer.critical));
     if (study.ensemble && has_answer) {
-        answer.mean = prediction_of(run_ensemble(study, answer.run, answer.critical, [&](double done) {
-            return keeper.goes_on(done, "the slopes of the ensemble");
-        }));
+        answer.ensemble = run_ensemble(study, answer.run, answer.critical,
+                                       [&](double done) { return keeper.goes_on(done, "the slopes of the ensemble"); });
     }
     return answer;
 }
@@ -431,7 +409,9 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
         if (answer.bound_of_statics) {
             append_bound_of_statics(study, answer.run.scene, *answer.bound_of_statics, *answer.critical, analysis);
         }
-        leave_unfinished(word_of(answer.critical->worst_status()), search_in_words(*answer.plan, *answer.critical));
+        if (!answer.ensemble) {
+            leave_unfinished(word_of(answer.critical->worst_status()), search_in_words(*answer.plan, *answer.critical));
+        }
     }
     append_run_warnings(made, analysis);
     if (made.result.outcome == RelaxationOutcome::held_by_corners) {
@@ -440,11 +420,10 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
         analysis.warnings.push_back("the blocks rest " + std::string(corners_hold) + ". Without them " +
                                     std::to_string(held) + (held == 1 ? " block" : " blocks") + " would move");
     }
-    if (answer.mean && answer.mean->failure.empty()) {
-        take_means(study, *answer.mean, analysis);
-    } else if (answer.mean) {
-        leave_unfinished(answer.mean->failure, "more than a quarter of the ensemble's slopes have no answer: " +
-                                                   human_name(answer.mean->failure));
+    if (answer.has_means()) {
+        take_means(study, answer, analysis);
+    } else if (answer.ensemble) {
+        leave_unfinished(answer.ensemble->failure, ensemble_failure_in_words(answer));
     }
     return analysis;
 }

@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace delabole {
@@ -228,6 +231,104 @@ TEST(Ensemble, OfWallsThatAllSlideHasTheirAreaAndNoDeviation) {
     EXPECT_NEAR(value_of(model, prediction, "post_failure.failed_area"), area, rounding);
     EXPECT_NEAR(value_of(model, prediction, "ensemble_deviation.post_failure.failed_area"), 0, rounding);
     EXPECT_NEAR(value_of(model, prediction, "ensemble_deviation.profile"), 0, rounding);
+}
+
+// Members with the given factors of safety; below the lower bound of the search or above the upper one they end there.
+EnsemblePrediction ensemble_of(const std::vector<double>& factors, double lower, double upper) {
+    RelaxationStudy study = wall(degrees(20));
+    study.ensemble = EnsembleRequest{static_cast<double>(factors.size()), {}, {}};
+    study.critical = ReductionSearch{lower, upper, {}, {}, {}, {}};
+    std::size_t next = 0;
+    const auto member = [&](const RelaxationStudy&) {
+        const double factor = factors[next++];
+        EnsembleMember made;
+        made.prediction.outputs = {std::clamp(factor, lower, upper)};
+        made.fails = factor < 1;
+        made.at_lower = factor < lower;
+        made.at_upper = factor >= upper;
+        made.ended_at = made.at_lower   ? word_of(CriticalStatus::fails_everywhere)
+                        : made.at_upper ? word_of(CriticalStatus::stands_everywhere)
+                                        : std::string_view();
+        if (std::isnan(factor)) {
+            made = {};
+            made.prediction.failure = "undecided";
+        }
+        return made;
+    };
+    EnsembleMember first = member(study);
+    return predict_ensemble(study, std::move(first), member, {});
+}
+
+constexpr double no_answer = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Ensemble, HasTheWordOfItsMembersOnlyIfAllHaveIt) {
+    EXPECT_EQ(ensemble_of({0.05, 0.05, 0.05, 0.05}, 0.1, 10).failure, "fails_everywhere");
+    EXPECT_EQ(ensemble_of({20, 20, 20, 20}, 0.1, 10).failure, "stands_everywhere");
+    EXPECT_EQ(ensemble_of({no_answer, no_answer, no_answer, no_answer}, 0.1, 10).failure, "undecided");
+    const EnsemblePrediction few = ensemble_of({20, no_answer, no_answer, 20}, 0.1, 10);
+    EXPECT_EQ(few.failure, slopes_without_answer) << "of which no bound tells anything";
+    EXPECT_EQ(few.first_cause, "undecided");
+    EXPECT_EQ(few.without_answer, 2);
+}
+
+TEST(Ensemble, TakesMembersAtTheBoundsAtWhichTheirSearchesEnded) {
+    const EnsemblePrediction mixed = ensemble_of({1.6, 1.6, 0.05, 20}, 0.1, 10);
+    ASSERT_EQ(mixed.failure, "");
+    constexpr double rounding = 1e-12;
+    EXPECT_NEAR(mixed.mean.front(), (1.6 + 1.6 + 0.1 + 10) / 4, rounding);
+    EXPECT_EQ(mixed.at_bounds->lower, 1);
+    EXPECT_EQ(mixed.at_bounds->upper, 1);
+    EXPECT_EQ(mixed.failing, 1);
+    EXPECT_EQ(mixed.without_answer, 0);
+}
+
+// A block on a plane at 35 deg, of which the friction angle differs between the slopes.
+RelaxationStudy block_on_a_plane() {
+    RelaxationSlope slope{};
+    slope.geometry = testing::section({{-10, -6}, {30, -6}, {30, 12}, {6.928203, 12}, {0, 0}, {-10, 0}},
+                                      {testing::cut("plane", testing::line({{0.288675, 0.5}, {16.712377, 12}}))});
+    slope.geometry.intact_joint = "intact";
+    slope.rock = {{"rock", 2650}};
+    RelaxationJoint intact = testing::joint_of_friction(45);
+    intact.cohesion = intact.tensile_strength = 5e6;
+    slope.joint = {{"joint", {}, testing::joint_of_friction(40)}, {"intact", {}, intact}};
+    slope.frame = SlopeFrame{FrameSides::all_around, 3, {}, "joint"};
+    RelaxationStudy study{};
+    study.model.scene = slope;
+    study.settings.emplace().stop = RelaxationStop::onset;
+    study.critical = ReductionSearch{1, 3, 0.001, {}, {}, {}};
+    study.ensemble = EnsembleRequest{6, {}, degrees(3)};
+    return study;
+}
+
+// tan(friction angle) / tan(35 deg) of each member; that of the fifth is 0.963.
+TEST(Ensemble, CountsAMemberThatFailsAtTheLeastFactorTried) {
+    const RelaxationStudy study = block_on_a_plane();
+    std::size_t below = 0;
+    double sum = 0;
+    for (std::size_t member = 0; member < 6; ++member) {
+        const RelaxationStudy made = member_of(study, member);
+        const double friction = std::get<RelaxationSlope>(made.model.scene).joint.front().strength.friction_angle;
+        const double factor = std::tan(friction) / std::tan(degrees(35));
+        below += factor < 1 ? 1 : 0;
+        sum += std::max(1.0, factor);
+    }
+    ASSERT_EQ(below, 1U);
+    const ModelInterface model = model_interface(study);
+    const Prediction prediction = model.predict({});
+    ASSERT_EQ(prediction.failure, "");
+    ASSERT_EQ(prediction.outputs.size(), model.outputs.size());
+    // The bracket is 0.001 wide, and the block settles on stiff contacts.
+    EXPECT_NEAR(value_of(model, prediction, "factor_of_safety"), sum / 6, 0.002);
+    EXPECT_EQ(value_of(model, prediction, "ensemble_without_answer"), 0);
+    EXPECT_EQ(value_of(model, prediction, "ensemble_at_lower"), 1);
+    EXPECT_EQ(value_of(model, prediction, "ensemble_at_upper"), 0);
+    EXPECT_EQ(value_of(model, prediction, "ensemble_failing_share"), 1.0 / 6);
+    EXPECT_GT(value_of(model, prediction, "post_failure.failed_area"), 0) << "of the one that fails as given";
+    ASSERT_EQ(model.bounded_means.size(), 1U);
+    const Interval range = model.bounded_means.front().range(prediction);
+    EXPECT_EQ(range.upper, value_of(model, prediction, "factor_of_safety"));
+    EXPECT_EQ(range.lower, -std::numeric_limits<double>::infinity()) << "the mean is at most that";
 }
 
 }  // namespace
