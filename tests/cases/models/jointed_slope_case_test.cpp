@@ -212,6 +212,9 @@ TEST(JointedSlopeCase, ComplaintsNameTheKey) {
                     "scene.cut[3].joint"));
     EXPECT_TRUE(has(complaint_about("name = \"b\"", "name = \"a\""), "scene.cut[3].name"));
     EXPECT_TRUE(has(complaint_about("seed = 4", "seed = 4.5"), "scene.cut[2].trace.seed"));
+    EXPECT_TRUE(has(complaint_about("scatter = 0.2\n", ""), "has no effect without scatter or persistence"));
+    EXPECT_TRUE(has(complaint_about("seed = 4", "seed = 4\ntrace_length = \"2 m\""),
+                    "has no effect without persistence beside it"));
     EXPECT_TRUE(
         has(complaint_about("{ x = \"4.6 m\", y = \"8 m\" }", "{ x = \"16 m\", y = \"4 m\" }"), "scene.outline"));
     EXPECT_TRUE(has(complaint_about("{ x = \"14 m\", y = \"1.5 m\" }", "{ x = \"-1 m\", y = \"1.5 m\" }"),

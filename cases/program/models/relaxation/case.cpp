@@ -263,8 +263,22 @@ void check_retrogression(Checker& checker, const RelaxationStudy& study) {
 
 void check_ensemble(Checker& checker, const RelaxationStudy& study) {
     check_whole(checker, "ensemble.runs", study.ensemble->runs);
-    if (!std::holds_alternative<RelaxationSlope>(study.model.scene)) {
+    const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene);
+    if (slope == nullptr) {
         checker.complain("ensemble", "needs scene.kind = \"jointed_slope\", whose joints it moves");
+        return;
+    }
+    const auto is_set = [](const SlopeCut& cut) { return std::holds_alternative<JointSetCut>(cut.trace); };
+    if (std::ranges::any_of(slope->geometry.cut, is_set)) {
+        return;
+    }
+    if (study.ensemble->spacing_deviation) {
+        checker.complain("ensemble.spacing_deviation", "has no effect: no [[scene.cut]] is a joint set");
+    }
+    if (study.ensemble->friction_deviation.value_or(0) == 0) {
+        checker.complain("ensemble",
+                         "has slopes that are all the same: no [[scene.cut]] is a joint set, which it "
+                         "would shift, and friction_deviation is absent or 0");
     }
 }
 

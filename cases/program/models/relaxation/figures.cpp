@@ -361,6 +361,12 @@ void append_cutting_warnings(const RelaxationSlope& slope, const SlopeScene& mad
                                         ", which holds there like intact rock");
         }
     }
+    for (std::size_t index = 0; index < slope.joint.size() && !slope.water; ++index) {
+        if (slope.joint[index].water_share) {
+            analysis.warnings.push_back(indexed("scene.joint", index) + ".water_share (" + slope.joint[index].name +
+                                        ") has no effect: there is no [scene.water]");
+        }
+    }
     append_warnings_of_joints_along_joints(slope, section, materials, plan, analysis);
     if (section.outline_reversed) {
         analysis.warnings.emplace_back("scene.outline runs clockwise and was turned round");

@@ -73,6 +73,18 @@ std::string size_in_doubt(const RelaxationSlope& slope) {
                            : "";
 }
 
+// Values that nothing reads are refused: they seem to have been meant.
+void check_set(Checker& checker, const std::string& trace, const JointSetCut& set) {
+    check_whole(checker, trace + ".seed", set.seed);
+    if (set.trace_length && !set.persistence) {
+        checker.complain(trace + ".trace_length",
+                         "has no effect without persistence beside it: these joints go through");
+    }
+    if (set.seed && !set.scatter && !set.persistence) {
+        checker.complain(trace + ".seed", "has no effect without scatter or persistence: nothing of the set is random");
+    }
+}
+
 }  // namespace
 
 std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
@@ -157,9 +169,8 @@ void check_slope(Checker& checker, const RelaxationSlope& slope) {
     check_names(checker, "scene.joint", slope.joint);
     check_names(checker, "scene.cut", slope.geometry.cut);
     for (std::size_t index = 0; index < slope.geometry.cut.size(); ++index) {
-        const auto* set = std::get_if<JointSetCut>(&slope.geometry.cut[index].trace);
-        if (set != nullptr) {
-            check_whole(checker, indexed("scene.cut", index) + ".trace.seed", set->seed);
+        if (const auto* set = std::get_if<JointSetCut>(&slope.geometry.cut[index].trace)) {
+            check_set(checker, indexed("scene.cut", index) + ".trace", *set);
         }
     }
     if (const std::optional<SlopeComplaint> complaint = complaint_of(slope)) {
