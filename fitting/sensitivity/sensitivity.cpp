@@ -92,9 +92,6 @@ std::vector<std::size_t> without_effect(const SensitivityResult& result, std::si
     return without;
 }
 
-// Cause of a sample whose mean is only known to be at most, or at least, a value on the other side of the limit.
-constexpr std::string_view bound_beside_limit = "mean_known_as_bound";
-
 bool found_nothing(const SensitivityResult& result) {
     const auto nothing = [](const EvaluationCount& count) { return count.total > 0 && count.failed() == count.total; };
     return (result.tornado && nothing(result.tornado->evaluations)) ||
@@ -131,7 +128,7 @@ Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study
         }
         const auto bounded = std::ranges::find(model.bounded_means, output, &BoundedMean::output);
         if (criterion && bounded != model.bounded_means.end() && !criterion->failed(bounded->range(prediction))) {
-            return {0, bound_beside_limit};
+            return {0, mean_known_as_bound};
         }
         return {prediction.outputs[output], {}};
     };

@@ -60,10 +60,17 @@ std::vector<TriedSupport> all_patterns(const ModelInterface& model, const Suppor
     return patterns;
 }
 
-// If the model's search ended at a bound of the factor of safety, that bound is entered.
-void evaluate(const ModelInterface& model, std::size_t factor, const std::vector<Assignment>& assignments,
-              TriedSupport& tried) {
+// If the model's search ended at a bound of the factor of safety, that bound is entered. A mean that is at most a value
+// does not show that the factor wanted is reached.
+void evaluate(const ModelInterface& model, std::size_t factor, double wanted,
+              const std::vector<Assignment>& assignments, TriedSupport& tried) {
     const Prediction prediction = model.predict(assignments);
+    const auto bounded = std::ranges::find(model.bounded_means, factor, &BoundedMean::output);
+    if (prediction.failure.empty() && bounded != model.bounded_means.end() && prediction.outputs[factor] >= wanted &&
+        bounded->range(prediction).lower < wanted) {
+        tried.failure = mean_known_as_bound;
+        return;
+    }
     if (prediction.failure.empty()) {
         tried.factor_of_safety = prediction.outputs[factor];
         return;
@@ -100,7 +107,7 @@ SupportDesignResult design_support(const ModelInterface& model, const SupportDes
         for (std::size_t index = 0; index < places.size(); ++index) {
             assignments.push_back({places[index], pattern.values[index]});
         }
-        evaluate(model, factor, assignments, pattern);
+        evaluate(model, factor, design.factor_of_safety, assignments, pattern);
         if (!pattern.factor_of_safety) {
             ++result.failed_by_cause[pattern.failure];
         }

@@ -88,6 +88,9 @@ struct BoundedMean {
     }
 };
 
+// Instead of a mean of which only a bound is known, where the value asked about lies beyond that bound.
+inline constexpr std::string_view mean_known_as_bound = "mean_known_as_bound";
+
 struct ModelInterface {
     std::vector<Quantity> inputs;
     std::vector<Quantity> outputs;

@@ -64,6 +64,30 @@ TEST(SupportDesign, FindsTheCheapestOfAll) {
     }
 }
 
+// Patterns with bolts shorter than 8 m leave one slope of an ensemble at the lower bound of its search.
+TEST(SupportDesign, AMeanThatIsAtMostAFactorDoesNotReachIt) {
+    ModelInterface model = bolted();
+    const std::size_t length = place_of(model.inputs, "support[1].length").value();
+    const std::size_t factor = place_of(model.outputs, "factor_of_safety").value();
+    const std::size_t at_lower = model.outputs.size();
+    model.outputs.push_back({"at_lower", Dimension::ratio, ""});
+    model.outputs.push_back({"at_upper", Dimension::ratio, ""});
+    model.bounded_means = {{factor, at_lower, at_lower + 1}};
+    model.predict = [=, whole = bolted().predict](std::span<const Assignment> assignments) {
+        Prediction prediction = whole(assignments);
+        if (prediction.failure.empty()) {
+            const auto bolt = std::ranges::find(assignments, length, &Assignment::input);
+            prediction.outputs.insert(prediction.outputs.end(), {bolt->value < 8 ? 1.0 : 0.0, 0.0});
+        }
+        return prediction;
+    };
+    const SupportDesignResult result = design_support(model, wanted(1.3));
+    ASSERT_TRUE(result.cheapest);
+    EXPECT_GE(result.tried[*result.cheapest].values[2], 8);
+    EXPECT_GE(*result.tried[*result.cheapest].factor_of_safety, 1.3);
+    EXPECT_GT(result.failed_by_cause.at(std::string(mean_known_as_bound)), 0U);
+}
+
 TEST(SupportDesign, TellsTheStrongestWhereNoneSuffices) {
     const SupportDesignResult result = design_support(bolted(), wanted(10));
     EXPECT_FALSE(result.cheapest);
