@@ -7,6 +7,9 @@
 // (Roberts 2018: multiples of the powers of the reciprocal generalized golden ratio, modulo 1). It spreads them more
 // evenly than random numbers, and the same for all values of the parameters: the mean changes smoothly with them, and a
 // fit can use it.
+//
+// The normal deviates of few slopes are not centred: of eight slopes whose spacings and friction angles deviate, the
+// mean of one of these is up to 0.7 standard deviations low, of 32 slopes up to 0.2.
 #pragma once
 
 #include "dynamic_relaxation/study/critical_request.hpp"
