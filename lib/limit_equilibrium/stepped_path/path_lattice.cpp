@@ -170,6 +170,12 @@ double PathLattice::ground(double x) const {
     return x < crest.x() ? std::min(behind, cot_face_ > 0 ? x / cot_face_ : behind) : behind;
 }
 
+// The crest lies off the straight line between two points of the ground only if they are on either side of it. On a
+// vertical face their x differ from that of the crest by rounding alone and would not tell.
+bool PathLattice::crest_between(const Point& one, const Point& other) const {
+    return std::abs(cross(crest - one, other - one)) > tolerance_ * (other - one).norm();
+}
+
 // The integral of the height of the ground from the toe to x.
 double PathLattice::ground_integral(double x) const {
     const double in_face = std::min(x, crest.x());
@@ -215,122 +221,6 @@ std::optional<Point> PathLattice::riser_in_face(std::size_t riser) const {
     const Point point = crossing(riser_line(riser), face_);
     const bool in_face = point.y() >= -tolerance_ && point.y() < crest.y() - tolerance_;
     return in_face && !in_massive_rock(point) ? std::optional(point) : std::nullopt;
-}
-
-void PathLattice::set_water(const SteppedPath& path) {
-    const auto level_of = [&](const WaterLevel<>& level) -> std::optional<double> {
-        if (const auto* depth = std::get_if<WaterDepth<>>(&level)) {
-            return depth->water_depth;
-        }
-        if (const auto* ratio = std::get_if<FilledRatio<>>(&level)) {
-            return ratio->filled_ratio * path.slope.height;
-        }
-        if (!path.slope.toe_elevation) {
-            return std::nullopt;
-        }
-        return std::get<WaterElevation<>>(level).water_elevation - *path.slope.toe_elevation;
-    };
-    std::optional<double> level;
-    double reach = 0;
-    if (const auto* table = std::get_if<WaterTable<>>(&path.water)) {
-        level = level_of(table->level);
-        water_weight_ = table->unit_weight;
-    } else if (const auto* drawn = std::get_if<WaterDrawnDown>(&path.water)) {
-        level = level_of(drawn->level);
-        reach = drawn->reach;
-        water_weight_ = drawn->unit_weight;
-    } else {
-        return;
-    }
-    if (!level) {
-        check = SteppedPathCheck::elevation_without_datum;
-        return;
-    }
-    const auto surface = [&](double x) {
-        const double drawn = reach > 0 && x < reach ? *level * x / reach : *level;
-        return std::min(drawn, ground(x));
-    };
-    // The surface has a kink where another of its lines becomes the lowest.
-    std::vector<double> bends{0, crest.x(), reach, *level * cot_face_};
-    if (slope_upper_ != 0) {
-        bends.push_back(crest.x() + (*level - crest.y()) / slope_upper_);
-        if (reach > 0 && *level / reach != slope_upper_) {
-            bends.push_back((crest.y() - crest.x() * slope_upper_) / (*level / reach - slope_upper_));
-        }
-    } else if (reach > 0) {
-        bends.push_back(reach * crest.y() / *level);
-    }
-    std::erase_if(bends, [](double x) { return !(x >= 0) || !std::isfinite(x); });
-    std::ranges::sort(bends);
-    bends.push_back(bends.back() + crest.y());
-    for (const double x : bends) {
-        if (water_surface_.empty() || x > water_surface_.back().x() + tolerance_) {
-            water_surface_.emplace_back(x, surface(x));
-        }
-    }
-}
-
-PathLattice::EdgeWater PathLattice::water_on(const Point& from, const Point& to) const {
-    EdgeWater water;
-    if (!(water_weight_ > 0)) {
-        return water;
-    }
-    const Point edge = to - from;
-    const double edge_length = edge.norm();
-    const auto depth = [&](std::size_t segment, double share) {
-        const Point& a = water_surface_[segment];
-        const Point& b = water_surface_[segment + 1];
-        const Point point = from + share * edge;
-        return a.y() + (point.x() - a.x()) * ((b.y() - a.y()) / (b.x() - a.x())) - point.y();
-    };
-    const double left = std::min(from.x(), to.x());
-    const double right = std::max(from.x(), to.x());
-    double moment = 0;
-    const std::size_t last = water_surface_.size() - 2;
-    for (std::size_t segment = 0; segment <= last; ++segment) {
-        // The part of the edge below this stretch of the surface.
-        double start = 0;
-        double end = 1;
-        const double lower = segment == 0 ? -std::numeric_limits<double>::infinity() : water_surface_[segment].x();
-        const double upper =
-            segment == last ? std::numeric_limits<double>::infinity() : water_surface_[segment + 1].x();
-        const bool upright = left == right;
-        if (upright ? left < lower || left >= upper : right <= lower || left >= upper) {
-            continue;
-        }
-        if (!upright) {
-            double at_lower = (lower - from.x()) / edge.x();
-            double at_upper = (upper - from.x()) / edge.x();
-            if (at_lower > at_upper) {
-                std::swap(at_lower, at_upper);
-            }
-            start = std::max(start, at_lower);
-            end = std::min(end, at_upper);
-        }
-        if (!(end > start)) {
-            continue;
-        }
-        double depth_start = depth(segment, start);
-        double depth_end = depth(segment, end);
-        if (depth_start <= 0 && depth_end <= 0) {
-            continue;
-        }
-        if (depth_start < 0) {
-            start += (end - start) * depth_start / (depth_start - depth_end);
-            depth_start = 0;
-        } else if (depth_end < 0) {
-            end = start + (end - start) * depth_start / (depth_start - depth_end);
-            depth_end = 0;
-        }
-        const double span = end - start;
-        water.force += span * (depth_start + depth_end) / 2;
-        moment += span * (start * (depth_start + depth_end) / 2 + span * (depth_start + 2 * depth_end) / 6);
-    }
-    if (water.force > 0) {
-        water.position = moment / water.force * edge_length;
-        water.force *= water_weight_ * edge_length;
-    }
-    return water;
 }
 
 void PathLattice::add_part(PathLoad& load, double& area, const Point* corners, std::size_t count,
@@ -404,7 +294,7 @@ PathCell PathLattice::make_cell(std::size_t column, std::size_t level) const {
     std::array<Point, 5> corners{cell.base_from, cell.base_to, upper_top};
     std::size_t count = 3;
     const Point lower_top = cell.at_face ? cell.base_from : column > 1 ? column_outcrop[column - 2] : Point(0, 0);
-    if (upper_top.x() > crest.x() && lower_top.x() < crest.x()) {
+    if (crest_between(lower_top, upper_top)) {
         corners[count++] = crest;
     }
     if (!cell.at_face) {
@@ -442,7 +332,7 @@ std::optional<PathWedge> PathLattice::make_wedge(const SteppedPath& path, std::s
     PathWedge wedge{riser, depth, corner, riser_outcrop[riser], 0, {}};
     std::array<Point, 4> corners{corner, wedge.outcrop};
     std::size_t count = 2;
-    if (wedge.outcrop.x() > crest.x() && top.x() < crest.x()) {
+    if (crest_between(top, wedge.outcrop)) {
         corners[count++] = crest;
     }
     corners[count++] = top;

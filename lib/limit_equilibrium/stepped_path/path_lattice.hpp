@@ -89,6 +89,8 @@ class PathLattice {
     bool is_far_enough(const Point& outcrop) const {
         return retreat(outcrop) >= least_width && retreat(outcrop) <= greatest_retreat;
     }
+    // Whether the ground from one of its points to another turns at the crest.
+    bool crest_between(const Point& one, const Point& other) const;
     // Rock between an edge and the ground above it, m2.
     double area_above(const Point& from, const Point& to) const;
     // Force of the water on an edge (N/m, at least 0) and the distance of its resultant from `from` along the edge.

@@ -22,8 +22,7 @@ void add_point(Polyline& line, const Point& point) {
 // The straight ground from one point to another passes no corner behind the crest; the crest itself may lie between
 // them.
 void add_ground(Polyline& line, const PathLattice& lattice, const Point& to) {
-    const double from = line.back().x();
-    if ((from - lattice.crest.x()) * (to.x() - lattice.crest.x()) < 0) {
+    if (lattice.crest_between(line.back(), to)) {
         add_point(line, lattice.crest);
     }
     add_point(line, to);

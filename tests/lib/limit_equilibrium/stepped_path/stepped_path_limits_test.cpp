@@ -1,12 +1,14 @@
 // Stepped surfaces at the limits of water, of what is searched and of what there is to find.
 #include "limit_equilibrium/stepped_path/stepped_path.hpp"
 #include "plane_failure/plane_failure.hpp"
+#include "tests/lib/limit_equilibrium/stepped_path/every_stepped_path.hpp"
 #include "tests/lib/limit_equilibrium/stepped_path/west_face.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace delabole {
 namespace {
@@ -138,6 +140,51 @@ TEST(SteppedPath, WhatSlidesOnASingleRiserHasAFactorOfItsOwn) {
     EXPECT_NEAR(analyse(path).factor_on_riser, factor_of_plane(path, degrees(60), Coulomb<>{50e3, degrees(30)}), 1e-9);
     path.risers->dip = degrees(86);
     EXPECT_TRUE(std::isinf(analyse(path).factor_on_riser)) << "steeper than the face";
+}
+
+// One mass of 5 m on a step through the toe, with a vertical crack behind it, and water 8 m above the toe.
+TEST(SteppedPath, WaterStandsBehindAVerticalFaceAtItsLevel) {
+    SteppedPath path =
+        slope_with_risers(degrees(90), 10, {degrees(30), 20, degrees(45), 0}, {degrees(90), 5, degrees(35), 0});
+    path.search.greatest_retreat = 5;
+    path.water = WaterTable<>{9.81e3, WaterDepth<>{8}};
+    const double knee = 5 * std::tan(degrees(30));
+    const double weight = 26e3 * (50 - 5 * knee / 2);
+    const double in_crack = 9.81e3 * (8 - knee) * (8 - knee) / 2;
+    const double below = 9.81e3 * (8 + (8 - knee)) / 2 * 5 / std::cos(degrees(30));
+    const double resisting = weight * std::cos(degrees(30)) - below - in_crack * std::sin(degrees(30));
+    const double driving = weight * std::sin(degrees(30)) + in_crack * std::cos(degrees(30));
+    // Sums of a few terms.
+    EXPECT_NEAR(analyse(path).factor_of_safety, resisting / driving, 1e-12);
+}
+
+// On a vertical face the x of what lies in it is rounding.
+TEST(SteppedPath, AVerticalFaceIsTheLimitOfSteepOnes) {
+    std::mt19937 random(23);
+    int found = 0;
+    for (int count = 0; count < 600; ++count) {
+        SteppedPath path = random_path(random, static_cast<SteppedPathMechanism>(count % 3));
+        if (count % 2 == 0) {
+            path.water = WaterTable<>{9.81e3, WaterDepth<>{path.slope.height * 0.6}};
+        } else if (count % 5 == 0) {
+            path.water = Dry{};
+        }
+        path.slope.face_dip = degrees(90 - 1e-6);
+        const SteppedPathResult steep = analyse(path);
+        path.slope.face_dip = degrees(90);
+        const SteppedPathResult vertical = analyse(path);
+        ASSERT_EQ(vertical.check, steep.check) << count;
+        ASSERT_EQ(vertical.surface.empty(), steep.surface.empty()) << count;
+        if (steep.surface.empty()) {
+            continue;
+        }
+        ++found;
+        // The crest moves by 1.7e-8 of the height, and the factor by up to a hundred times that where forces nearly
+        // cancel.
+        EXPECT_NEAR(vertical.factor_of_safety, steep.factor_of_safety, 1e-5 * steep.factor_of_safety) << count;
+        EXPECT_NEAR(vertical.failed_area, steep.failed_area, 1e-6 * steep.failed_area) << count;
+    }
+    EXPECT_GT(found, 200);
 }
 
 }  // namespace
