@@ -163,35 +163,47 @@ T add_weight(TurnedResultant<T>& resultant, const Polygon<T>& outline, const Pla
     return weight;
 }
 
-// Adds loads on a stretch of ground, given in turned axes in order of increasing u. A line load on a common corner of
-// two stretches belongs to the upper one.
+// Horizontal position of a point given in turned axes. A point that differs from the crest by less than a nanometre, so
+// by rounding alone, lies on it: on a vertical face every point does.
 template <class T>
-void add_ground_loads(TurnedResultant<T>& resultant, const std::vector<PlanePoint<T>>& top, const PlanePoint<T>& origin,
-                      const SineCosine<T>& base, const T& crest_x, const std::vector<Surcharge<T>>& surcharges,
-                      const std::vector<LineLoad<T>>& line_loads) {
-    for (std::size_t index = 1; index < top.size(); ++index) {
-        const PlanePoint<T> left = turned_back(base, top[index - 1]);
-        const PlanePoint<T> right = turned_back(base, top[index]);
-        if (!(right.x() > left.x())) {
+T position_in_plan(const SineCosine<T>& base, const PlanePoint<T>& point, const T& crest_x) {
+    constexpr double rounding = 1e-9;
+    const T x = turned_back(base, point).x();
+    return x - crest_x < rounding && crest_x - x < rounding ? crest_x : x;
+}
+
+// Adds loads on a stretch of ground, given in turned axes from its lower end up, where it lies in front of `end_x` in
+// plan. A line load on a common corner of two stretches belongs to the upper one.
+template <class T>
+void add_ground_loads(TurnedResultant<T>& resultant, const std::vector<PlanePoint<T>>& ground, const T& end_x,
+                      const PlanePoint<T>& origin, const SineCosine<T>& base, const T& crest_x,
+                      const std::vector<Surcharge<T>>& surcharges, const std::vector<LineLoad<T>>& line_loads) {
+    for (std::size_t index = 1; index < ground.size(); ++index) {
+        const T left = position_in_plan(base, ground[index - 1], crest_x);
+        const T right = position_in_plan(base, ground[index], crest_x);
+        const T last = end_x < right ? end_x : right;
+        if (!(last > left)) {
             continue;
         }
         const auto add_at = [&](const T& x, const T& force_x, const T& force_y) {
-            const T y = left.y() + (right.y() - left.y()) * ((x - left.x()) / (right.x() - left.x()));
+            const T lower = turned_back(base, ground[index - 1]).y();
+            const T upper = turned_back(base, ground[index]).y();
+            const T y = lower + (upper - lower) * ((x - left) / (right - left));
             const PlanePoint<T> arm = difference(turned(base, x, y), origin);
             resultant.add_turned(base, arm.x(), arm.y(), force_x, force_y);
         };
         for (const Surcharge<T>& surcharge : surcharges) {
             const T from = crest_x + surcharge.from_distance;
             const T to = crest_x + surcharge.to_distance;
-            const T start = from > left.x() ? from : left.x();
-            const T end = to < right.x() ? to : right.x();
+            const T start = from > left ? from : left;
+            const T end = to < last ? to : last;
             if (end > start) {
                 add_at(T((start + end) / 2), T(0), T(-surcharge.pressure * (end - start)));
             }
         }
         for (const LineLoad<T>& load : line_loads) {
             const T x = crest_x + load.distance_behind_crest;
-            if (x >= left.x() && x < right.x()) {
+            if (x >= left && x < last) {
                 const SineCosine<T> plunge = sine_cosine(load.plunge);
                 add_at(x, T(load.force * plunge.cosine), T(-load.force * plunge.sine));
             }

@@ -1,7 +1,10 @@
 // Columns, ready for the recursion, from a described slope.
 //
-// Loads on the ground behind the crest count if they stand on a column (or on the wedge above the columns); on the flat
-// tops of classical columns they are taken over the horizontal extent of each top.
+// Loads on the ground behind the crest count if they stand on a column (or on the wedge above the columns). In plan a
+// column carries them from where its top begins to where the next top (or the wedge) begins. The flat tops of classical
+// columns fall from one to the next behind the crest, which leaves a gap in plan between them: there the upper side of
+// the lower column lies open, leaning back, so that what stands in the gap stands on that side and loads the lower
+// column. Where a top rises over the one below, the upper column overhangs and carries the load.
 #pragma once
 
 #include "limit_equilibrium/columns/slide_head.hpp"
@@ -161,6 +164,36 @@ T height_at(const ColumnShape<T>& shape, const T& u) {
     return T(0);
 }
 
+// Adds the loads on the ground, each to the column that is seen at its place from above.
+template <class T>
+void add_loads_on_tops(const ColumnScene<T>& scene, const ColumnShapes<T>& shapes, const T& crest,
+                       std::vector<TurnedResultant<T>>& resultants) {
+    if (scene.surcharge.empty() && scene.line_load.empty()) {
+        return;
+    }
+    std::optional<PlanePoint<T>> next;  // where the ground begins on what is above a column
+    if (scene.slide_head && shapes.base_end) {
+        const TurnedGround<T> ground = turned_ground(*scene.slope, shapes.base);
+        GroundWalk<T> walk(ground);
+        std::vector<PlanePoint<T>> passed;
+        walk.advance(shapes.base_end->x(), passed);
+        next = walk.here();
+    }
+    T end_x = position_in_plan(shapes.base, next ? *next : shapes.columns.back().top.back(), crest);
+    for (std::size_t index = shapes.columns.size(); index-- > 0;) {
+        const ColumnShape<T>& shape = shapes.columns[index];
+        std::vector<PlanePoint<T>> ground = shape.top;
+        if (next) {
+            ground.push_back(*next);
+        }
+        add_ground_loads(resultants[index], ground, end_x, PlanePoint<T>(shape.base_u, shape.base_v), shapes.base,
+                         crest, scene.surcharge, scene.line_load);
+        next = shape.top.front();
+        const T begin_x = position_in_plan(shapes.base, *next, crest);
+        end_x = begin_x < end_x ? begin_x : end_x;
+    }
+}
+
 // Upper end of the base in section axes.
 template <class T>
 PlanePoint<T> end_of_base(const ColumnShapes<T>& shapes) {
@@ -243,7 +276,6 @@ ColumnSlope<T> make_columns(const ColumnScene<T>& scene) {
         column.joint_length = index + 1 < count ? shapes.columns[index + 1].lower_contact : T(0);
         column.weight = detail::add_weight(resultant, shape.outline(), origin, shapes.base,
                                            shape.unit_weight.value_or(scene.rock.unit_weight), scene.seismic);
-        detail::add_ground_loads(resultant, shape.top, origin, shapes.base, crest, scene.surcharge, scene.line_load);
         if (!water.dry()) {
             const T joint_height = index + 1 < count ? shape.upper_contact : shape.upper_edge;
             const T upper = water.height_in_joint(T(shape.base_u + shape.width), shape.base_v,
@@ -253,6 +285,7 @@ ColumnSlope<T> make_columns(const ColumnScene<T>& scene) {
             water_top = shape.base_v + upper;
         }
     }
+    detail::add_loads_on_tops(scene, shapes, crest, resultants);
     for (const ColumnCheck check :
          {detail::add_to_column(scene.point_load, shapes.base, false, shapes.columns, resultants),
           detail::add_to_column(scene.bolt, shapes.base, true, shapes.columns, resultants),

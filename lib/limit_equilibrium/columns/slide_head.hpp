@@ -155,7 +155,8 @@ ColumnCheck make_wedge(const SlideHead<T>& head, const TurnedGround<T>& ground, 
     outline.insert(outline.end(), top->rbegin(), top->rend());
     TurnedResultant<T> resultant;
     wedge.weight = add_weight(resultant, outline, end, base, loads.unit_weight, loads.seismic);
-    add_ground_loads(resultant, *top, end, base, loads.crest_x, loads.surcharges, loads.line_loads);
+    add_ground_loads(resultant, *top, position_in_plan(base, top->back(), loads.crest_x), end, base, loads.crest_x,
+                     loads.surcharges, loads.line_loads);
     const T depth = loads.face_water;
     resultant.add(T(0), T(depth / 3), T(loads.face_water_gradient * depth * depth / 2), T(0));
 
