@@ -1,10 +1,10 @@
 // Columns, ready for the recursion, from a described slope.
 //
-// Loads on the ground behind the crest count if they stand on a column (or on the wedge above the columns). In plan a
-// column carries them from where its top begins to where the next top (or the wedge) begins. The flat tops of classical
-// columns fall from one to the next behind the crest, which leaves a gap in plan between them: there the upper side of
-// the lower column lies open, leaning back, so that what stands in the gap stands on that side and loads the lower
-// column. Where a top rises over the one below, the upper column overhangs and carries the load.
+// Loads on the ground behind the crest count if they stand on a column (or on the wedge above the columns), and once.
+// Behind the crest the flat tops of classical columns lie apart in plan where the ground is flatter than the bases, and
+// overlap where it is steeper. Of the two columns beside such a place the upper one carries what stands there: the
+// ground, which meets the upper corners of the tops, lies over it, and it is on the safe side, because the load leans
+// further out of its base.
 #pragma once
 
 #include "limit_equilibrium/columns/slide_head.hpp"
@@ -164,33 +164,36 @@ T height_at(const ColumnShape<T>& shape, const T& u) {
     return T(0);
 }
 
-// Adds the loads on the ground, each to the column that is seen at its place from above.
+// Adds the loads on the ground: each column carries them from where the top below ends, or its own begins.
 template <class T>
 void add_loads_on_tops(const ColumnScene<T>& scene, const ColumnShapes<T>& shapes, const T& crest,
                        std::vector<TurnedResultant<T>>& resultants) {
     if (scene.surcharge.empty() && scene.line_load.empty()) {
         return;
     }
-    std::optional<PlanePoint<T>> next;  // where the ground begins on what is above a column
+    std::vector<PlanePoint<T>> wedge_start;
     if (scene.slide_head && shapes.base_end) {
         const TurnedGround<T> ground = turned_ground(*scene.slope, shapes.base);
         GroundWalk<T> walk(ground);
         std::vector<PlanePoint<T>> passed;
         walk.advance(shapes.base_end->x(), passed);
-        next = walk.here();
+        wedge_start = {walk.here()};
     }
-    T end_x = position_in_plan(shapes.base, next ? *next : shapes.columns.back().top.back(), crest);
+    const auto in_plan = [&](const PlanePoint<T>& point) { return position_in_plan(shapes.base, point, crest); };
+    T end_x = in_plan(wedge_start.empty() ? shapes.columns.back().top.back() : wedge_start.front());
     for (std::size_t index = shapes.columns.size(); index-- > 0;) {
         const ColumnShape<T>& shape = shapes.columns[index];
-        std::vector<PlanePoint<T>> ground = shape.top;
-        if (next) {
-            ground.push_back(*next);
+        const PlanePoint<T>& start = index > 0 ? shapes.columns[index - 1].top.back() : shape.top.front();
+        std::vector<PlanePoint<T>> ground{start};
+        ground.insert(ground.end(), shape.top.begin(), shape.top.end());
+        if (index + 1 == shapes.columns.size()) {
+            ground.insert(ground.end(), wedge_start.begin(), wedge_start.end());
         }
         add_ground_loads(resultants[index], ground, end_x, PlanePoint<T>(shape.base_u, shape.base_v), shapes.base,
                          crest, scene.surcharge, scene.line_load);
-        next = shape.top.front();
-        const T begin_x = position_in_plan(shapes.base, *next, crest);
-        end_x = begin_x < end_x ? begin_x : end_x;
+        for (const T& begin_x : {in_plan(start), in_plan(shape.top.front())}) {
+            end_x = begin_x < end_x ? begin_x : end_x;
+        }
     }
 }
 

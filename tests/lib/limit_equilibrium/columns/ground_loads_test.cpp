@@ -67,26 +67,30 @@ TEST(GroundLoads, AreCarriedOnceByFlatTops) {
     }
 }
 
-// The crest column is the tenth, 40 m high, the eleventh 6 m lower: between their tops the upper side of the tenth lies
-// open over 6 m x sin 30 deg in plan.
-TEST(GroundLoads, BetweenTwoFlatTopsLieOnTheUpperSideOfTheLowerColumn) {
+// The crest column is the tenth, 40 m high, the eleventh 6 m lower and on a base 1 m higher: between their tops the
+// upper side of the tenth lies open over 5 m x sin 30 deg in plan.
+TEST(GroundLoads, BetweenTwoFlatTopsLoadTheUpperColumn) {
     const ColumnScene<> scene = flat_tops(base_dip - std::atan(0.5), std::nullopt);
     const ColumnSlope<> bare = make_columns(scene);
     const Column<>& tenth = bare.columns[9];
+    const Column<>& eleventh = bare.columns[10];
     ASSERT_NEAR(tenth.height, 40, 1e-9);
     const double below_top = 2;  // along that side
     const double v = tenth.base_v + tenth.height - below_top;
-    const double x = (tenth.base_u + tenth.width) * std::cos(base_dip) - v * std::sin(base_dip);
+    const double x = eleventh.base_u * std::cos(base_dip) - v * std::sin(base_dip);
     const double distance = x - 92.5 / std::tan(scene.slope->face_dip);
     ASSERT_GT(distance, 0);
     const double plunge = degrees(70);
     const ColumnSlope<> loaded = make_columns(with_line_load(scene, distance, plunge));
-    const double along = 1e6 * std::cos(plunge + base_dip);  // up the base: positive if the load points into the slope
-    const double into = 1e6 * std::sin(plunge + base_dip);
-    EXPECT_NEAR(loaded.columns[9].down_dip_force - tenth.down_dip_force, -along, rounding);
-    EXPECT_NEAR(loaded.columns[9].normal_force - tenth.normal_force, into, rounding);
-    EXPECT_NEAR(loaded.columns[9].overturning_moment - tenth.overturning_moment,
-                -into * tenth.width - along * (tenth.height - below_top), 10 * rounding);
+    // The load is steep, and the base rises at 30 deg into the slope.
+    const double along = 1e6 * std::sin(plunge - degrees(90) + base_dip);  // down the base
+    const double into = 1e6 * std::cos(plunge - degrees(90) + base_dip);
+    EXPECT_NEAR(loaded.columns[9].down_dip_force, tenth.down_dip_force, rounding);
+    EXPECT_NEAR(loaded.columns[10].down_dip_force - eleventh.down_dip_force, along, rounding);
+    EXPECT_NEAR(loaded.columns[10].normal_force - eleventh.normal_force, into, rounding);
+    // It stands over the toe corner of the base, in the turned axes.
+    EXPECT_NEAR(loaded.columns[10].overturning_moment - eleventh.overturning_moment, along * (v - eleventh.base_v),
+                10 * rounding);
 }
 
 // On a vertical face the tops of columns have extents of rounding, and so has the distance of the crest.
