@@ -72,11 +72,15 @@ struct ColumnLaw {
     }
 };
 
+// Surfaces that come out far enough behind the crest, or those of a toe, which come out in front of that.
+enum class ComesOut { behind_crest, at_toe };
+
 class ColumnSearch {
   public:
-    ColumnSearch(const SteppedPath& problem, const PathLattice& lattice)
+    ColumnSearch(const SteppedPath& problem, const PathLattice& lattice, ComesOut comes_out = ComesOut::behind_crest)
         : problem_(problem),
           lattice_(lattice),
+          comes_out_(comes_out),
           strength_(problem),
           joint_friction_(std::tan(problem.columns->friction_angle)) {
         for (const std::vector<PathWedge>& behind : lattice.wedges) {
@@ -187,6 +191,12 @@ class ColumnSearch {
         return lowest;
     }
 
+    // Whether the face leaves the base of a column its full width. By itself what is narrower is a sliver of the face.
+    bool is_whole(const ColumnLaw& law, const PathCell& cell) const {
+        constexpr double rounding = 1e-9;
+        return cell.base_length * law.sine >= (1 - rounding) * problem_.columns->spacing;
+    }
+
     // Joins the needs of a column on a level, from `needs_`, with those on higher levels, from `here_`.
     Span join(const Span& higher, const Span& own, std::size_t level, bool all) {
         const std::size_t first = here_.size();
@@ -218,6 +228,7 @@ class ColumnSearch {
         const ColumnLaw law(problem_, strength_, factor);
         const std::size_t count = lattice_.cells.size();
         const std::size_t levels = lattice_.levels;
+        const bool of_toe = comes_out_ == ComesOut::at_toe;
         const std::vector<std::size_t> all_from = levels_with_all_needs(law);
         std::vector<Span> chosen(count * levels);  // ranges of `needs_`
         needs_.clear();
@@ -229,10 +240,10 @@ class ColumnSearch {
         std::size_t first = 0;
         std::vector<std::optional<Push>> pushes;
         for (std::size_t column = count; column-- > 0;) {
-            const bool crack_allowed = lattice_.retreat(lattice_.column_outcrop[column]) >= lattice_.least_width;
+            const bool far_enough = lattice_.retreat(lattice_.column_outcrop[column]) >= lattice_.least_width;
             pushes.clear();
             for (const PathWedge& wedge : lattice_.wedges[column]) {
-                pushes.push_back(wedge_push(wedge, factor));
+                pushes.push_back(of_toe ? std::nullopt : wedge_push(wedge, factor));
             }
             std::vector<Span> here(levels);
             here_.clear();
@@ -259,7 +270,7 @@ class ColumnSearch {
                 for (; from.first < from.end; ++from.first) {
                     offer(law.from(above_[from.first].need), above_[from.first].where);
                 }
-                if (crack_allowed) {
+                if (of_toe ? !far_enough && (!cell.at_face || is_whole(law, cell)) : far_enough) {
                     offer({}, {levels, no_wedge});
                 }
                 for (std::size_t index = 0; index < pushes.size(); ++index) {
@@ -364,6 +375,7 @@ class ColumnSearch {
   private:
     const SteppedPath& problem_;
     const PathLattice& lattice_;
+    ComesOut comes_out_;
     SurfaceStrength strength_;
     double joint_friction_;  // tangent, between columns
     std::optional<SlideHeadJoint<>> wedge_joint_;
@@ -375,6 +387,14 @@ class ColumnSearch {
 CriticalPath least_stable_path(const SteppedPath& problem, const PathLattice& lattice) {
     return problem.search.mechanism == SteppedPathMechanism::sliding ? least_stable_sliding(problem, lattice)
                                                                      : ColumnSearch(problem, lattice).search();
+}
+
+Limit least_stable_toe(const SteppedPath& problem, const PathLattice& lattice) {
+    if (problem.search.mechanism == SteppedPathMechanism::sliding) {
+        return {LimitState::holds_at_any_strength, infinity, 0};
+    }
+    const CriticalPath critical = ColumnSearch(problem, lattice, ComesOut::at_toe).search();
+    return {critical.limit, critical.factor_of_safety, critical.searches};
 }
 
 Limit factor_of_safety(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path) {

@@ -38,7 +38,9 @@
 // A surface counts as a failure if every column between toe and crack moves: a column that needs no push cuts off those
 // above it. The mass has to be at least one whole block wide behind the crest, and in front of each riser of a sliding
 // mass: joints leave whole blocks, and the thesis counts the failed mass in whole columns of joint set A (2.3.4).
-// Without such a rule the least stable surface is a sliver of the face.
+// Without such a rule the least stable surface is a sliver of the face. Columns at the toe or in the face may fail by
+// themselves before, without a push from above: the search of the same joints for a mass that comes out in front of
+// where a surface counts, at least one whole column wide, gives their factor.
 //
 // Jennings, J.E. (1970) A mathematical theory for the calculation of the stability of slopes in open cast mines. In:
 // Planning Open Pit Mines, 87-102. Dinkelbach, W. (1967) On nonlinear fractional programming. Management Science 13,
@@ -75,6 +77,11 @@ struct CriticalPath {
 inline constexpr int most_searches = 200;
 
 CriticalPath least_stable_path(const SteppedPath& problem, const PathLattice& lattice);
+
+// The least factor of safety of columns at the toe or in the face that move by themselves: of what is at least one
+// whole column wide and comes out in front of where a surface counts. Infinite if nothing does, and for sliding. Its
+// limit may be abrupt where only a narrower sliver fails before.
+Limit least_stable_toe(const SteppedPath& problem, const PathLattice& lattice);
 
 // Factor of safety of one given surface.
 Limit factor_of_safety(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path);

@@ -264,6 +264,7 @@ SteppedPathResult analyse(const SteppedPath& problem) {
     result.factor_of_safety = critical.factor_of_safety;
     result.searches = critical.searches;
     result.factor_on_riser = least_stable_on_riser(problem, lattice).value;
+    result.factor_of_toe = least_stable_toe(problem, lattice).value;
     if (critical.path.level.empty()) {
         return result;
     }
@@ -301,7 +302,7 @@ ModelInterface model_interface(const SteppedPath& problem) {
         const SteppedPathResult result = analyse(varied);
         Prediction prediction = prediction_of(result);
         if (prediction.failure.empty()) {
-            if (result.surface.empty() || !(result.factor_of_safety > 0)) {
+            if (result.limit != LimitState::found) {
                 return {word_of(result.limit), {}, {}};
             }
             prediction.profile = profile_after_failure(varied, result);

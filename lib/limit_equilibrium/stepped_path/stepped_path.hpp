@@ -10,9 +10,9 @@
 //
 // Limits: rigid parts, surfaces within the three sets, water at rest, no loads but weight and water. A wedge does not
 // rotate; nor does a sliding mass, whose moments are not checked. Surfaces combine steps with risers that open: what
-// slides on a single riser has a factor of its own, and no surface slides on steps and risers. The least factor of
-// safety is exact on the lattice (path_search.hpp); finer steps lower it, by amounts measured in stepped_path_test.cpp
-// of the tests.
+// slides on a single riser has a factor of its own, and no surface slides on steps and risers. So have columns at the
+// toe that fail before what is behind them. The least factor of safety is exact on the lattice (path_search.hpp); finer
+// steps lower it, by amounts measured in stepped_path_test.cpp of the tests.
 #pragma once
 
 #include "limit_equilibrium/stepped_path/path_search.hpp"
@@ -31,6 +31,7 @@ struct SteppedPathResult {
     double factor_of_safety = 0;
     PathExtent extent = PathExtent::within;
     double factor_on_riser = 0;
+    double factor_of_toe = 0;
     double failed_area = 0;
     double retreat = 0;
     double foot_height = 0;
@@ -70,11 +71,14 @@ struct SteppedPathResult {
             section<&R::limit>("whether limiting equilibrium exists at any strength; abrupt: past the factor of safety "
                                "the mass fails, but its toe is not in equilibrium there"),
             number<&R::factor_of_safety>("factor on all strength for limiting equilibrium, of the surface for which it "
-                                         "is least; what slides on a "
-                                         "single riser has its own, factor_on_riser, and may fail before"),
+                                         "is least; what slides on a single riser and columns at the toe alone have "
+                                         "their own, factor_on_riser and factor_of_toe, and may fail before"),
             number<&R::factor_on_riser>("factor of safety of what slides on a single riser from the face to the ground "
                                         "behind the crest, a mechanism of its own; infinite if none comes out so, or "
                                         "if the mechanism has no risers"),
+            number<&R::factor_of_toe>("factor of safety of columns at the toe or in the face that move by themselves, "
+                                      "at least one column wide, without a surface that comes out far enough behind "
+                                      "the crest; infinite if none do, or if the mechanism has no columns"),
             section<&R::extent>("whether the surface is the smallest or the largest that may fail: then it is the "
                                 "limit of its size that decides, not strength"),
             number<&R::failed_area>(Dimension::area, "area in section of what fails"),
@@ -124,7 +128,8 @@ Polyline profile_after_failure(const SteppedPath& problem, const SteppedPathResu
 Polyline water_surface(const SteppedPath& problem);
 
 // Inputs: every number of the case. Outputs: every number of SteppedPathResult. A slope that fails or holds at any
-// strength is a failed prediction, under the name of that state.
+// strength, or whose limit is abrupt, is a failed prediction, under the name of that state: what is abrupt has no
+// factor of safety, because its toe has failed before.
 ModelInterface model_interface(const SteppedPath& problem);
 
 }  // namespace delabole

@@ -18,6 +18,7 @@ SteppedPathResult with_factors(double of_surface, double on_riser, LimitState li
     result.limit = limit;
     result.factor_of_safety = of_surface;
     result.factor_on_riser = on_riser;
+    result.factor_of_toe = infinity;
     result.failed_area = 100;
     if (of_surface < infinity) {
         result.surface = {{0, 0}, {10, 1}, {12, 20}};
@@ -51,6 +52,28 @@ TEST(SteppedPathReport, AToeThatFailsBeforeTheMassIsNotSaidToStand) {
     EXPECT_EQ(both.sentences[0], "FS 1.2, on a single riser.");
     EXPECT_EQ(both.sentences[1], "FS 8.01 for the mass as a whole; its toe alone fails before.");
     EXPECT_EQ(head_card(SteppedPath{}, with_factors(0.8, infinity, LimitState::abrupt)).tone, AnswerTone::bad);
+}
+
+TEST(SteppedPathReport, AToeThatFailsByItselfComesFirst) {
+    SteppedPathResult result = with_factors(1.28, infinity);
+    result.factor_of_toe = 0.748;
+    const HeadCard fails = head_card(SteppedPath{}, result);
+    EXPECT_EQ(fails.tone, AnswerTone::bad);
+    EXPECT_EQ(fails.sentences[0], "FS 0.748, columns at the toe alone: fails.");
+    EXPECT_EQ(fails.sentences[1], "Along the surface that is searched for: FS 1.28.");
+    EXPECT_EQ(named_outputs(SteppedPath{}, result).warnings.size(), 1U);
+    result.factor_on_riser = 0.5;
+    const HeadCard both = head_card(SteppedPath{}, result);
+    EXPECT_EQ(both.sentences[0], "FS 0.5, on a single riser: fails.");
+    EXPECT_EQ(both.sentences[1], "FS 0.748, columns at the toe alone.");
+    result = with_factors(8.01, infinity, LimitState::abrupt);
+    result.factor_of_toe = 0.9;
+    EXPECT_EQ(head_card(SteppedPath{}, result).tone, AnswerTone::bad);
+    result.factor_of_toe = 1.1;
+    EXPECT_EQ(head_card(SteppedPath{}, result).tone, AnswerTone::open);
+    result.factor_of_toe = 9;
+    EXPECT_EQ(head_card(SteppedPath{}, result).sentences.front(),
+              "FS 8.01 for the mass as a whole; its toe alone fails before.");
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace delabole {
 
@@ -62,6 +64,12 @@ bool slides_on_riser(const SteppedPathResult& result) {
     return result.factor_on_riser < result.factor_of_safety;
 }
 
+// Dry columns that slide without cohesion have one factor of safety, at the toe and behind it, but for rounding.
+bool toe_fails_before(const SteppedPathResult& result) {
+    constexpr double weaker = 1 - 1e-9;
+    return result.factor_of_toe < weaker * result.factor_of_safety;
+}
+
 }  // namespace
 
 Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
@@ -74,10 +82,16 @@ Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
             ", before the surface that is searched for moves: the model plane_failure draws it, with the dip of the "
             "risers");
     }
+    if (toe_fails_before(result)) {
+        analysis.warnings.push_back("columns at the toe move by themselves at a factor of safety of " +
+                                    number_in_words(result.factor_of_toe) +
+                                    ", before the surface that is searched for moves: they come out in front of where "
+                                    "a surface counts, so that no figure shows them");
+    }
     if (result.surface.empty()) {
         for (NamedOutput& output : analysis.outputs) {
             if (output.name != "limit" && output.name != "factor_of_safety" && output.name != "factor_on_riser" &&
-                output.name != "searches") {
+                output.name != "factor_of_toe" && output.name != "searches") {
                 output.value = "none";
             }
         }
@@ -105,17 +119,27 @@ Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
 }
 
 HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
-    const bool on_riser = slides_on_riser(result);
-    const double least = std::min(result.factor_of_safety, result.factor_on_riser);
-    const bool stands = least >= 1;
-    // The toe of a mass that fails abruptly has failed at a factor that is not known.
+    // What moves apart from the surface that is searched for, and before it.
+    struct Other {
+        double factor;
+        std::string where;
+    };
+    std::vector<Other> others;
+    if (slides_on_riser(result)) {
+        others.push_back({result.factor_on_riser, ", on a single riser"});
+    }
+    if (toe_fails_before(result)) {
+        others.push_back({result.factor_of_toe, ", columns at the toe alone"});
+    }
+    std::ranges::sort(others, {}, &Other::factor);
+    const bool stands = (others.empty() ? result.factor_of_safety : others.front().factor) >= 1;
+    // A sliver at the toe of a mass that fails abruptly may have failed at a factor that is not known.
     const bool open = stands && result.limit == LimitState::abrupt;
     HeadCard head{open ? AnswerTone::open : stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
-    if (on_riser) {
-        head.sentences.push_back(factor_in_words(least) + ", on a single riser" +
-                                 (open     ? "."
-                                  : stands ? ": stands."
-                                           : ": fails."));
+    const std::string verdict = open ? "." : stands ? ": stands." : ": fails.";
+    for (const Other& other : others) {
+        const bool first = head.sentences.empty();
+        head.sentences.push_back(factor_in_words(other.factor) + other.where + (first ? verdict : "."));
     }
     if (result.surface.empty()) {
         head.sentences.emplace_back(result.limit == LimitState::holds_at_any_strength
@@ -124,9 +148,9 @@ HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
         return head;
     }
     const std::string factor = factor_in_words(result.factor_of_safety);
-    head.sentences.push_back(open       ? factor + " for the mass as a whole; its toe alone fails before."
-                             : on_riser ? "Along the surface that is searched for: " + factor + "."
-                                        : factor + (stands ? ": stands." : ": fails."));
+    head.sentences.push_back(open             ? factor + " for the mass as a whole; its toe alone fails before."
+                             : others.empty() ? factor + verdict
+                                              : "Along the surface that is searched for: " + factor + ".");
     head.sentences.push_back(value_in_words(result.failed_area, Dimension::area) +
                              " move, along a surface that comes out " +
                              value_in_words(result.retreat, Dimension::length) + " behind the crest.");

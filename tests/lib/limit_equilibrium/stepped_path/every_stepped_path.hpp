@@ -31,21 +31,11 @@ inline SteppedPath random_path(std::mt19937& random, SteppedPathMechanism mechan
     return path;
 }
 
-// Returns every surface of columns.
-inline std::vector<LatticePath> all_column_paths(const PathLattice& lattice) {
-    std::vector<LatticePath> paths;
-    const std::function<void(LatticePath)> grow = [&](const LatticePath& path) {
+// Calls `visit` with every run of columns from the face up, wherever it ends.
+inline void visit_columns(const PathLattice& lattice, const std::function<void(const LatticePath&)>& visit) {
+    const std::function<void(const LatticePath&)> grow = [&](const LatticePath& path) {
+        visit(path);
         const std::size_t last = path.first + path.level.size() - 1;
-        if (lattice.retreat(lattice.column_outcrop[last - 1]) >= lattice.least_width) {
-            paths.push_back(path);
-        }
-        const PathCell& cell = lattice.cells[last - 1][path.level.back()];
-        for (std::size_t wedge = 0; wedge < lattice.wedges[last - 1].size(); ++wedge) {
-            if (lattice.wedges[last - 1][wedge].depth <= cell.upper_reach) {
-                paths.push_back(path);
-                paths.back().wedge = wedge;
-            }
-        }
         for (std::size_t level = path.level.back(); last < lattice.cells.size() && level < lattice.levels; ++level) {
             const PathCell& above = lattice.cells[last][level];
             if (above.exists && !above.at_face) {
@@ -62,6 +52,41 @@ inline std::vector<LatticePath> all_column_paths(const PathLattice& lattice) {
             }
         }
     }
+}
+
+inline double retreat_of_crack(const PathLattice& lattice, const LatticePath& path) {
+    return lattice.retreat(lattice.column_outcrop[path.first + path.level.size() - 2]);
+}
+
+// Returns every surface of columns.
+inline std::vector<LatticePath> all_column_paths(const PathLattice& lattice) {
+    std::vector<LatticePath> paths;
+    visit_columns(lattice, [&](const LatticePath& path) {
+        const std::size_t last = path.first + path.level.size() - 1;
+        if (retreat_of_crack(lattice, path) >= lattice.least_width) {
+            paths.push_back(path);
+        }
+        const PathCell& cell = lattice.cells[last - 1][path.level.back()];
+        for (std::size_t wedge = 0; wedge < lattice.wedges[last - 1].size(); ++wedge) {
+            if (lattice.wedges[last - 1][wedge].depth <= cell.upper_reach) {
+                paths.push_back(path);
+                paths.back().wedge = wedge;
+            }
+        }
+    });
+    return paths;
+}
+
+// Returns every surface of columns that comes out in front of those, from the toe up or in the face. A single column
+// has to be whole: only the one through the toe of the slope is.
+inline std::vector<LatticePath> all_toe_paths(const PathLattice& lattice) {
+    std::vector<LatticePath> paths;
+    visit_columns(lattice, [&](const LatticePath& path) {
+        const bool whole = path.level.size() > 1 || (path.first == 1 && path.level.front() == 0);
+        if (whole && retreat_of_crack(lattice, path) < lattice.least_width) {
+            paths.push_back(path);
+        }
+    });
     return paths;
 }
 

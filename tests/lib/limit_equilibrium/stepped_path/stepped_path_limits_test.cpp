@@ -187,5 +187,89 @@ TEST(SteppedPath, AVerticalFaceIsTheLimitOfSteepOnes) {
     EXPECT_GT(found, 200);
 }
 
+TEST(SteppedPath, NoToeIsWeakerThanTheOneFound) {
+    std::mt19937 random(24);
+    int found = 0;
+    int before_surface = 0;
+    for (int count = 0; count < 400; ++count) {
+        const SteppedPath problem = random_path(
+            random, count % 2 == 0 ? SteppedPathMechanism::toppling : SteppedPathMechanism::slide_head_toppling);
+        const PathLattice lattice(problem);
+        if (lattice.check != SteppedPathCheck::valid) {
+            continue;
+        }
+        const double least = least_of_all(problem, lattice, all_toe_paths(lattice));
+        const double toe = least_stable_toe(problem, lattice).value;
+        if (std::isfinite(least) && least > 0) {
+            ++found;
+            before_surface += toe < least_stable_path(problem, lattice).factor_of_safety ? 1 : 0;
+            EXPECT_NEAR(toe, least, 1e-9 * least) << count;  // factors are known to some 1e-14
+        } else {
+            EXPECT_EQ(toe, least) << count;
+        }
+    }
+    EXPECT_GT(found, 100);
+    EXPECT_GT(before_surface, 20);
+}
+
+// The column at the toe slides with the water on its base and on the joint behind it, which comes out in the face.
+TEST(SteppedPath, AColumnAtTheToeSlidesByItself) {
+    SteppedPath path{};
+    path.search = {SteppedPathMechanism::toppling, std::nullopt, std::nullopt};
+    path.slope = {20, degrees(75.5), 0, std::nullopt, std::nullopt};
+    path.steps = {degrees(25.6), 3.55, degrees(31.5), 0};
+    path.columns = PathColumns{degrees(-73), 5.4, degrees(14.8)};
+    path.rock = {26e3};
+    path.water = WaterTable<>{9.81e3, WaterDepth<>{4.9}};
+    const SteppedPathResult result = analyse(path);
+    EXPECT_EQ(result.limit, LimitState::found);
+    EXPECT_GT(result.factor_of_safety, 1.2);
+
+    // Corners of the column: the toe, the upper end of its base, and where the joint comes out in the face.
+    const double dip = path.steps.dip;
+    const Point up_joint(-std::cos(degrees(73)), std::sin(degrees(73)));
+    const double base = 5.4 / std::sin(degrees(73) + dip);
+    const Point end = base * Point(std::cos(dip), std::sin(dip));
+    const Point face(std::cos(path.slope.face_dip), std::sin(path.slope.face_dip));
+    const double along_joint =
+        (face.x() * end.y() - face.y() * end.x()) / (up_joint.x() * face.y() - up_joint.y() * face.x());  // to the face
+    const Point top = end + along_joint * up_joint;
+    const double weight = 26e3 * (end.x() * top.y() - end.y() * top.x()) / 2;
+    ASSERT_GT(top.y(), 4.9);
+    const double wetted = (4.9 - end.y()) / up_joint.y();
+    const double on_joint = 9.81e3 * (4.9 - end.y()) * wetted / 2;
+    // The water on the base stands below the face in front of where the face rises above its level.
+    const double emerges = 4.9 / std::tan(path.slope.face_dip);
+    const auto depth = [&](double x) { return std::min(4.9, x * std::tan(path.slope.face_dip)) - x * std::tan(dip); };
+    const double under = 9.81e3 / std::cos(dip) *
+                         (emerges * depth(emerges) / 2 + (end.x() - emerges) * (depth(emerges) + depth(end.x())) / 2);
+    const double out = dip + degrees(73) - degrees(90);  // of the push on the joint, from the base
+    const double driving = weight * std::sin(dip) + on_joint * std::cos(out);
+    const double into = weight * std::cos(dip) - under - on_joint * std::sin(out);
+    EXPECT_NEAR(result.factor_of_toe, std::tan(degrees(31.5)) * into / driving, 1e-9);
+    path.search.mechanism = SteppedPathMechanism::sliding;
+    path.risers = PathRisers{degrees(80), 5, degrees(30), 0};
+    EXPECT_TRUE(std::isinf(analyse(path).factor_of_toe)) << "without columns";
+}
+
+// The mass as a whole moves at 70 times its strength, but the column at its toe is weaker than it has to be.
+TEST(SteppedPath, WhatIsAbruptIsNoFactorOfSafetyOfAStudy) {
+    SteppedPath path{};
+    path.search = {SteppedPathMechanism::slide_head_toppling, std::nullopt, std::nullopt};
+    path.slope = {20, degrees(55.64438955887434), degrees(-3.186416036319697), std::nullopt, std::nullopt};
+    path.steps = {degrees(0.6304307923638177), 5.2664586760248575, degrees(37.64473806679253), 0};
+    path.risers = PathRisers{degrees(82.3147237440595), 7.509649641096513, degrees(30.85864155560274), 0};
+    path.columns = PathColumns{degrees(-85.00802408118074), 6.188028939018238, degrees(11.108692284117943)};
+    path.rock = {26e3};
+    path.water = WaterTable<>{9.81e3, WaterDepth<>{10.99854425133449}};
+    const SteppedPathResult result = analyse(path);
+    ASSERT_EQ(result.limit, LimitState::abrupt);
+    EXPECT_GT(result.factor_of_safety, 60);
+    EXPECT_NEAR(result.factor_of_toe, 0.851, 5e-4);  // printed digits of a recursion written apart from the library
+    const Prediction prediction = model_interface(path).predict({});
+    EXPECT_EQ(prediction.failure, "abrupt");
+    EXPECT_TRUE(prediction.outputs.empty());
+}
+
 }  // namespace
 }  // namespace delabole

@@ -463,7 +463,8 @@ TEST(SteppedPath, ExtremesHaveAnAnswerOrAReason) {
         }
         EXPECT_FALSE(std::isnan(result.factor_of_safety)) << count;
         EXPECT_GE(result.factor_on_riser, 0) << count;
-        result.factor_on_riser = 0;  // may be infinite
+        EXPECT_GE(result.factor_of_toe, 0) << count;
+        result.factor_on_riser = result.factor_of_toe = 0;  // may be infinite
         EXPECT_GE(result.factor_of_safety, 0) << count;
         EXPECT_LT(result.searches, 100) << count;
         if (!result.surface.empty()) {
