@@ -40,8 +40,9 @@ struct BoundResult {
             section<&BoundResult::status>("how the linear programme ended"),
             section<&BoundResult::check>("why there is none, where its assembly is invalid"),
             number<&BoundResult::factor_of_safety>(
-                "largest factor on all friction and cohesion for which forces exist that keep all in equilibrium: a "
-                "bound from the unsafe side, since joints that slip without opening may fail before"),
+                "largest factor on all friction and cohesion for which forces exist that keep all in equilibrium: if "
+                "joints touch over all of their length, a bound from the unsafe side, since joints that slip without "
+                "opening may fail before; if only over an upper part, a value between the bound and the recursion"),
             number<&BoundResult::duality_gap>(
                 "horizontal force, over the weight, by which the mechanism misses the forces"),
             number<&BoundResult::imbalance>("largest force, or moment by arm, left on a body, over the mean weight"),

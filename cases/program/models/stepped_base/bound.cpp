@@ -239,7 +239,10 @@ void append_bound_figures(const SteppedBaseAnswer& answer, const LinearProgrammi
     sheet.add(Paragraph{
         "The factor of safety of the linear programme is a bound from the unsafe side: no strength below its limit can "
         "keep the slope, but with real joints, which slip without opening, the slope may fail with more. Forces that "
-        "would hold it exist; nothing makes them arise."});
+        "would hold it exist; nothing makes them arise." +
+        std::string(request.upper_part < 1 ? " Here joints touch over an upper part of their length alone: the factor "
+                                             "lies between this bound and the recursion."
+                                           : "")});
     append_state(answer, *answer.bound, false, "bound", sheet);
     if (answer.bound_of_blocks) {
         append_state(answer, *answer.bound_of_blocks, true, "bound_blocks", sheet);
