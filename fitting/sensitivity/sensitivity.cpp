@@ -126,9 +126,9 @@ Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study
         if (!prediction.failure.empty()) {
             return {0, prediction.failure};
         }
-        const auto bounded = std::ranges::find(model.bounded_means, output, &BoundedMean::output);
-        if (criterion && bounded != model.bounded_means.end() && !criterion->failed(bounded->range(prediction))) {
-            return {0, mean_known_as_bound};
+        const auto bounded = std::ranges::find(model.bounded_outputs, output, &BoundedOutput::output);
+        if (criterion && bounded != model.bounded_outputs.end() && !criterion->failed(bounded->range(prediction))) {
+            return {0, known_as_bound};
         }
         return {prediction.outputs[output], {}};
     };

@@ -65,10 +65,10 @@ std::vector<TriedSupport> all_patterns(const ModelInterface& model, const Suppor
 void evaluate(const ModelInterface& model, std::size_t factor, double wanted,
               const std::vector<Assignment>& assignments, TriedSupport& tried) {
     const Prediction prediction = model.predict(assignments);
-    const auto bounded = std::ranges::find(model.bounded_means, factor, &BoundedMean::output);
-    if (prediction.failure.empty() && bounded != model.bounded_means.end() && prediction.outputs[factor] >= wanted &&
+    const auto bounded = std::ranges::find(model.bounded_outputs, factor, &BoundedOutput::output);
+    if (prediction.failure.empty() && bounded != model.bounded_outputs.end() && prediction.outputs[factor] >= wanted &&
         bounded->range(prediction).lower < wanted) {
-        tried.failure = mean_known_as_bound;
+        tried.failure = known_as_bound;
         return;
     }
     if (prediction.failure.empty()) {

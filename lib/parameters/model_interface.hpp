@@ -68,28 +68,30 @@ struct OutputBound {
     Interval within;           // does not depend on the inputs of the model
 };
 
-// An output that is a mean, of which some values may lie beyond the ends of a search and are taken at these: it is then
-// at most what is given, or at least that.
-struct BoundedMean {
-    std::size_t output;    // index into ModelInterface::outputs
-    std::size_t at_lower;  // likewise, of the number of values taken at the lower end
-    std::size_t at_upper;  // likewise at the upper end
+// An output that may be known as a bound alone, such as a mean of which some values lie beyond the end of a search.
+struct BoundedOutput {
+    std::size_t output;                   // index into ModelInterface::outputs
+    std::optional<std::size_t> at_most;   // of an output that is not 0 where the value is at most what is given
+    std::optional<std::size_t> at_least;  // likewise where it is at least that
 
-    // Where the mean lies, by a prediction that has not failed.
+    // Where the value lies, by a prediction that has not failed.
     Interval range(const Prediction& prediction) const {
-        Interval mean;
-        if (prediction.outputs[at_lower] == 0) {
-            mean.lower = prediction.outputs[output];
+        const auto is_set = [&](const std::optional<std::size_t>& flag) {
+            return flag && prediction.outputs[*flag] != 0;
+        };
+        Interval value;
+        if (!is_set(at_most)) {
+            value.lower = prediction.outputs[output];
         }
-        if (prediction.outputs[at_upper] == 0) {
-            mean.upper = prediction.outputs[output];
+        if (!is_set(at_least)) {
+            value.upper = prediction.outputs[output];
         }
-        return mean;
+        return value;
     }
 };
 
-// Instead of a mean of which only a bound is known, where the value asked about lies beyond that bound.
-inline constexpr std::string_view mean_known_as_bound = "mean_known_as_bound";
+// Instead of a value of which only a bound is known, where what is asked about lies beyond that bound.
+inline constexpr std::string_view known_as_bound = "known_as_bound";
 
 struct ModelInterface {
     std::vector<Quantity> inputs;
@@ -101,7 +103,7 @@ struct ModelInterface {
     // A prediction takes longer than a millisecond, many times the time to store it on the disk and to find it again:
     // loops store what they have computed.
     bool costly = false;
-    std::vector<BoundedMean> bounded_means = {};
+    std::vector<BoundedOutput> bounded_outputs = {};
 };
 
 // Every number of a described parameter struct, as inputs.

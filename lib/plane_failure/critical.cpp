@@ -342,7 +342,7 @@ CriticalGeometry find_critical_geometry(const PlaneFailure<>& problem, const Cri
         searched.water = Dry{};
         searched.pond.reset();
     }
-    if (!searched.tension_cutoff) {
+    if (!searched.tension_cutoff || searched.tension_cutoff->tensile_strength == 0) {
         searched.tension_cutoff = TensionCutoff<>{std::numeric_limits<double>::max()};
     }
     Search search(searched, with_crack);

@@ -6,7 +6,8 @@
 //
 // W weight, U water force on the base, V in the crack, F of the pond on the face; p, t, f the dips of plane, crack and
 // face; A the base length. With Coulomb strength, a vertical crack and no other loads this is Hoek & Bray's equation as
-// printed in the thesis, 2.3.2 (c). If S is not positive, no force drives the mass: FS is infinite.
+// printed in the thesis, 2.3.2 (c). If S is not positive, no force drives the mass: FS is infinite. If N / A is a
+// tension beyond the tensile strength, 0 unless it is given, the mass lifts off: FS is 0, whatever S and passive bolts.
 //
 // Accuracy: N and S are sums that may cancel; their absolute error is a few units in the last place of the sum of the
 // magnitudes of their terms.
@@ -175,9 +176,9 @@ PlaneFailureCheck balance_forces(const PlaneFailure<T>& problem, const Wedge<T>&
         result.lifted ? T(0) : T(passive + shear_strength(problem.strength, normal_stress) * wedge.base_length);
     // A passive bolt that sliding would shorten reduces the resistance, but not below zero.
     result.resisting_force = resisting < 0 ? T(0) : resisting;
-    result.factor_of_safety = driving <= 0 && !result.lifted ? T(std::numeric_limits<double>::infinity())
-                              : result.lifted                ? T(0)
-                                                             : T(result.resisting_force / driving);
+    result.factor_of_safety = result.lifted  ? T(0)
+                              : driving <= 0 ? T(std::numeric_limits<double>::infinity())
+                                             : T(result.resisting_force / driving);
     const bool is_number = result.factor_of_safety >= 0 || result.factor_of_safety < 0;
     return is_number ? PlaneFailureCheck::valid : PlaneFailureCheck::input_out_of_range;
 }

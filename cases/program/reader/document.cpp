@@ -263,6 +263,7 @@ std::string_view line_of(std::string_view text, int line) {
 
 // What the writer of a line that is no TOML probably meant; the parser's words do not say it.
 std::string likely_mistake(std::string_view line) {
+    line = line.substr(0, line.find('#'));
     const auto is_digit = [](char letter) { return letter >= '0' && letter <= '9'; };
     const std::size_t comma = line.find(',', line.find('='));
     const bool in_number = comma != std::string_view::npos && comma > 0 && comma + 1 < line.size() &&

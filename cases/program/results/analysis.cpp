@@ -32,6 +32,10 @@ void append_required_value(Analysis& analysis, const std::string& parameter, dou
         [[fallthrough]];
     case RequiredStatus::found:
         analysis.outputs.push_back({name, meaning, required.dimension, required.value});
+        if (required.jump) {
+            analysis.warnings.push_back(name + ": the factor of safety also jumps over it, at " +
+                                        value_in_words(*required.jump, required.dimension));
+        }
         break;
     case RequiredStatus::never_reached:
         analysis.outputs.push_back({name, meaning, required.dimension, std::string("never_reached")});
@@ -183,9 +187,9 @@ std::string required_in_words(const RequiredValue<>& request, const Required& re
     case RequiredStatus::found:
     case RequiredStatus::several:
         return "For " + factor + " " + parameter + (inputs.size() == 1 ? " has" : " have") + " to be " +
-               (required.status == RequiredStatus::several ? ""
-                : required.rises                           ? "at least "
-                                                           : "at most ") +
+               (required.status == RequiredStatus::several || required.jump ? ""
+                : required.rises                                            ? "at least "
+                                                                            : "at most ") +
                value_in_words(required.value, required.dimension) + ".";
     case RequiredStatus::never_reached:
         return required.jump ? "With " + parameter + " at " + value_in_words(*required.jump, required.dimension) +

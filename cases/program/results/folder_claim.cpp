@@ -62,6 +62,9 @@ FolderClaim::FolderClaim(fs::path folder)
         }
         refuse_files_of_others(found);
     } catch (...) {
+        if (new_list_) {
+            ::unlink(list_.c_str());
+        }
         ::close(descriptor_);
         throw;
     }

@@ -16,7 +16,8 @@ namespace delabole {
 class FolderClaim {
   public:
     // Creates the folder if it is missing. Throws OutputError if that is impossible, if another process has claimed it,
-    // if files.txt is not such a list, or if the folder holds a result's file that is not in it. On file systems without locks every process is admitted.
+    // if files.txt is not such a list, or if the folder holds a result's file that is not in it. On file systems
+    // without locks every process is admitted.
     explicit FolderClaim(std::filesystem::path folder);
     // Releases the folder, and removes it if it was created for a result that was then not written.
     ~FolderClaim();

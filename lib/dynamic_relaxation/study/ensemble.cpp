@@ -199,11 +199,11 @@ std::vector<Quantity> outputs_of_ensemble(std::vector<Quantity> outputs, const s
     return outputs;
 }
 
-std::vector<BoundedMean> bounded_means(const CriticalPlan& plan, std::size_t critical,
-                                       const std::vector<Quantity>& outputs) {
+std::vector<BoundedOutput> bounded_outputs(const CriticalPlan& plan, std::size_t critical,
+                                           const std::vector<Quantity>& outputs) {
     const std::size_t below = place_of(outputs, at_lower_name).value();
     const std::size_t above = place_of(outputs, at_upper_name).value();
-    std::vector<BoundedMean> means;
+    std::vector<BoundedOutput> means;
     for (std::size_t path = 0; path < plan.path.size(); ++path) {
         means.push_back({critical + path, below, above});
     }

@@ -95,8 +95,8 @@ std::vector<Quantity> outputs_of_ensemble(std::vector<Quantity> outputs, const s
 
 // Which of these outputs, for a search on the paths of the plan whose first value is the output `critical` of a member,
 // are only bounds if members were taken at bounds.
-std::vector<BoundedMean> bounded_means(const CriticalPlan& plan, std::size_t critical,
-                                       const std::vector<Quantity>& outputs);
+std::vector<BoundedOutput> bounded_outputs(const CriticalPlan& plan, std::size_t critical,
+                                           const std::vector<Quantity>& outputs);
 
 // Results in the order of outputs_of_ensemble; none if the ensemble failed.
 Prediction prediction_of(EnsemblePrediction ensemble);

@@ -397,7 +397,7 @@ ModelInterface model_interface(const RelaxationStudy& study) {
     if (study.ensemble) {
         model.outputs = outputs_of_ensemble(std::move(model.outputs), plan);
         if (plan) {
-            model.bounded_means = bounded_means(*plan, critical, model.outputs);
+            model.bounded_outputs = bounded_outputs(*plan, critical, model.outputs);
         }
     }
     model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };

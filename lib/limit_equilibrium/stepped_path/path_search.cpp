@@ -241,6 +241,9 @@ class ColumnSearch {
         std::vector<std::optional<Push>> pushes;
         for (std::size_t column = count; column-- > 0;) {
             const bool far_enough = lattice_.retreat(lattice_.column_outcrop[column]) >= lattice_.least_width;
+            if (of_toe && far_enough) {
+                continue;
+            }
             pushes.clear();
             for (const PathWedge& wedge : lattice_.wedges[column]) {
                 pushes.push_back(of_toe ? std::nullopt : wedge_push(wedge, factor));
@@ -270,7 +273,7 @@ class ColumnSearch {
                 for (; from.first < from.end; ++from.first) {
                     offer(law.from(above_[from.first].need), above_[from.first].where);
                 }
-                if (of_toe ? !far_enough && (!cell.at_face || is_whole(law, cell)) : far_enough) {
+                if (of_toe ? !cell.at_face || is_whole(law, cell) : far_enough) {
                     offer({}, {levels, no_wedge});
                 }
                 for (std::size_t index = 0; index < pushes.size(); ++index) {

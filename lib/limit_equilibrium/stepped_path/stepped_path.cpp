@@ -264,6 +264,7 @@ SteppedPathResult analyse(const SteppedPath& problem) {
     result.factor_of_safety = critical.factor_of_safety;
     result.searches = critical.searches;
     result.factor_on_riser = least_stable_on_riser(problem, lattice).value;
+    result.toe_fails_before = critical.limit == LimitState::abrupt ? 1 : 0;
     result.factor_of_toe = least_stable_toe(problem, lattice).value;
     if (critical.path.level.empty()) {
         return result;
@@ -298,17 +299,21 @@ Polyline water_surface(const SteppedPath& problem) {
 }
 
 ModelInterface model_interface(const SteppedPath& problem) {
-    return interface_of_function(problem, SteppedPathResult{}, [](const SteppedPath& varied) -> Prediction {
+    const auto predict = [](const SteppedPath& varied) -> Prediction {
         const SteppedPathResult result = analyse(varied);
         Prediction prediction = prediction_of(result);
         if (prediction.failure.empty()) {
-            if (result.limit != LimitState::found) {
+            if (result.surface.empty() || !(result.factor_of_safety > 0)) {
                 return {word_of(result.limit), {}, {}};
             }
             prediction.profile = profile_after_failure(varied, result);
         }
         return prediction;
-    });
+    };
+    ModelInterface model = interface_of_function(problem, SteppedPathResult{}, predict);
+    model.bounded_outputs = {
+        {place_of(model.outputs, "factor_of_safety").value(), place_of(model.outputs, "toe_fails_before"), {}}};
+    return model;
 }
 
 }  // namespace delabole

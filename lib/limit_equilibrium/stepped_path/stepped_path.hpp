@@ -32,6 +32,7 @@ struct SteppedPathResult {
     PathExtent extent = PathExtent::within;
     double factor_on_riser = 0;
     double factor_of_toe = 0;
+    double toe_fails_before = 0;
     double failed_area = 0;
     double retreat = 0;
     double foot_height = 0;
@@ -79,6 +80,9 @@ struct SteppedPathResult {
             number<&R::factor_of_toe>("factor of safety of columns at the toe or in the face that move by themselves, "
                                       "at least one column wide, without a surface that comes out far enough behind "
                                       "the crest; infinite if none do, or if the mechanism has no columns"),
+            number<&R::toe_fails_before>(
+                "1 if the limit is abrupt: at the factor of safety the toe has failed before, so "
+                "that the slope's own factor is at most that; else 0"),
             section<&R::extent>("whether the surface is the smallest or the largest that may fail: then it is the "
                                 "limit of its size that decides, not strength"),
             number<&R::failed_area>(Dimension::area, "area in section of what fails"),
@@ -128,8 +132,8 @@ Polyline profile_after_failure(const SteppedPath& problem, const SteppedPathResu
 Polyline water_surface(const SteppedPath& problem);
 
 // Inputs: every number of the case. Outputs: every number of SteppedPathResult. A slope that fails or holds at any
-// strength, or whose limit is abrupt, is a failed prediction, under the name of that state: what is abrupt has no
-// factor of safety, because its toe has failed before.
+// strength is a failed prediction, under the name of that state. Where the limit is abrupt the factor of safety is
+// known as a bound alone.
 ModelInterface model_interface(const SteppedPath& problem);
 
 }  // namespace delabole

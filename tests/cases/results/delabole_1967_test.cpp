@@ -92,8 +92,9 @@ TEST(Delabole1967, CriticalSlidingLeavesTheSurfaceObservedBehindAFlatterFace) {
     const MechanismFit& fit = mechanism("critical_sliding");
     ASSERT_EQ(fit.status, FitStatus::converged);
     EXPECT_EQ(fit.identifiability.rank, 3);
-    EXPECT_EQ(data_alone(fit, "water.water_elevation").determination, Determination::undetermined);
-    EXPECT_EQ(data_alone(fit, "strength.friction_angle").determination, Determination::undetermined);
+    // Where the water stands high or friction is great, the mass lifts off: the data have it there no more.
+    EXPECT_EQ(data_alone(fit, "water.water_elevation").determination, Determination::bounded_above);
+    EXPECT_EQ(data_alone(fit, "strength.friction_angle").determination, Determination::bounded_above);
     EXPECT_EQ(data_alone(fit, "slope.face_dip").determination, Determination::determined);
     // These pin computed values to the three digits that the README shows.
     EXPECT_NEAR(fit.best[0], degrees(25.3), degrees(0.1));

@@ -77,7 +77,7 @@ using FolderClaimTest = Folder;
 TEST_F(FolderClaimTest, NextResultTakesThePlaceOfTheEarlierAndOfNothingElse) {
     {
         FolderClaim claim(path());
-        claim.enter({"results.csv", "figures/section.svg", "frames/run_1.vtp"});
+        claim.enter({"results.csv", "figures/section.svg", "frames/run_1.vtp", "result.json"});
         for (const char* name : {"results.csv", "figures/section.svg", "frames/run_1.vtp", "result.json", "notes.csv",
                                  "figures/mine.svg"}) {
             write(name);
@@ -167,6 +167,9 @@ TEST_F(FolderClaimTest, RefusesAFileThatIsNotItsList) {
                              ": it is not a list of delabole's files: move it away, or name another folder");
     EXPECT_EQ(names(), (Names{"files.txt", "results.csv"}));
     fs::remove(path() / "files.txt");
+    EXPECT_NE(refusal().find("results.csv: it was not written by delabole"), std::string::npos) << refusal();
+    EXPECT_EQ(names(), Names{"results.csv"});
+    fs::remove(path() / "results.csv");
     {
         FolderClaim claim(path());
         claim.enter({"results.csv"});

@@ -94,7 +94,7 @@ TEST(Sensitivity, AMeanThatIsOnlyABoundDecidesOnlyTheSideOnWhichItLies) {
                : x[0] > 0.5 ? answer({(x[0] + 0.6) / 2, 0, 1})
                             : answer({x[0], 0, 0});
     });
-    problem.model.bounded_means = {{0, 1, 2}};
+    problem.model.bounded_outputs = {{0, 1, 2}};
     SensitivityStudy& study = problem.study;
     study.quantity = "mean";
     study.parameters = {{"x1", {Uniform{0, 1}}, ""}};

@@ -72,7 +72,7 @@ TEST(SupportDesign, AMeanThatIsAtMostAFactorDoesNotReachIt) {
     const std::size_t at_lower = model.outputs.size();
     model.outputs.push_back({"at_lower", Dimension::ratio, ""});
     model.outputs.push_back({"at_upper", Dimension::ratio, ""});
-    model.bounded_means = {{factor, at_lower, at_lower + 1}};
+    model.bounded_outputs = {{factor, at_lower, at_lower + 1}};
     model.predict = [=, whole = bolted().predict](std::span<const Assignment> assignments) {
         Prediction prediction = whole(assignments);
         if (prediction.failure.empty()) {
@@ -85,7 +85,7 @@ TEST(SupportDesign, AMeanThatIsAtMostAFactorDoesNotReachIt) {
     ASSERT_TRUE(result.cheapest);
     EXPECT_GE(result.tried[*result.cheapest].values[2], 8);
     EXPECT_GE(*result.tried[*result.cheapest].factor_of_safety, 1.3);
-    EXPECT_GT(result.failed_by_cause.at(std::string(mean_known_as_bound)), 0U);
+    EXPECT_GT(result.failed_by_cause.at(std::string(known_as_bound)), 0U);
 }
 
 TEST(SupportDesign, TellsTheStrongestWhereNoneSuffices) {

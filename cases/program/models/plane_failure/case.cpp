@@ -57,6 +57,17 @@ void check_case(Checker& checker, const PlaneFailureStudy<>& study) {
         check_bounds(checker, "critical", "dip", study.critical->lower_dip, study.critical->upper_dip);
     }
     check_required(checker, study.required, study);
+    for (std::size_t index = 0; study.critical && index < study.required.size(); ++index) {
+        const std::string& parameter = study.required[index].parameter;
+        const bool of_crack = parameter.starts_with("tension_crack.") && parameter != "tension_crack.dip" &&
+                              study.critical->find != CriticalFeature::failure_plane;
+        const bool of_plane =
+            parameter == "failure_plane.dip" && study.critical->find != CriticalFeature::tension_crack;
+        if (of_crack || of_plane) {
+            checker.complain(indexed("required", index) + ".parameter",
+                             '"' + parameter + "\" is what [critical] searches for: remove one of the two");
+        }
+    }
 }
 
 std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>&) {

@@ -36,7 +36,7 @@ void warn(Analysis& analysis, const PlaneFailureResult& result, bool critical_at
             "the loads lift the mass off its base, which bears no such tension: the factor of safety is 0");
     } else if (result.normal_force < 0) {
         analysis.warnings.emplace_back(
-            "tension_cutoff.tensile_strength holds the mass on its base: the normal force is "
+            "the mass stays on its base only by the tensile strength given in [tension_cutoff]: the normal force is "
             "negative");
     } else if (result.normal_force_position < 0 || result.normal_force_position > 1) {
         analysis.warnings.emplace_back(

@@ -325,8 +325,8 @@ TEST(Ensemble, CountsAMemberThatFailsAtTheLeastFactorTried) {
     EXPECT_EQ(value_of(model, prediction, "ensemble_at_upper"), 0);
     EXPECT_EQ(value_of(model, prediction, "ensemble_failing_share"), 1.0 / 6);
     EXPECT_GT(value_of(model, prediction, "post_failure.failed_area"), 0) << "of the one that fails as given";
-    ASSERT_EQ(model.bounded_means.size(), 1U);
-    const Interval range = model.bounded_means.front().range(prediction);
+    ASSERT_EQ(model.bounded_outputs.size(), 1U);
+    const Interval range = model.bounded_outputs.front().range(prediction);
     EXPECT_EQ(range.upper, value_of(model, prediction, "factor_of_safety"));
     EXPECT_EQ(range.lower, -std::numeric_limits<double>::infinity()) << "the mean is at most that";
 }
