@@ -195,7 +195,7 @@ class Search {
     }
 
     // Distances behind the crest at which the factor of safety has a kink or a jump if the mass ends there: corners of
-    // the ground, line loads, and the ends of surcharges.
+    // the ground, line loads, the ends of surcharges, and heads of bolts.
     std::vector<double> kinks_of_mass_end() const {
         std::vector<double> distances = {0};
         if (problem_.slope.bench) {
@@ -207,6 +207,18 @@ class Search {
         for (const Surcharge<>& surcharge : problem_.surcharge) {
             distances.push_back(surcharge.from_distance);
             distances.push_back(surcharge.to_distance);
+        }
+        // A crack in the face in front of a bolt's head leaves the bolt out of the mass.
+        const auto add_head = [&](double height) {
+            distances.push_back((height - problem_.slope.height) / std::tan(problem_.slope.face_dip));
+        };
+        for (const Bolt<>& bolt : problem_.bolt) {
+            add_head(bolt.head_height);
+        }
+        for (const PlaneSupport<>& support : problem_.support) {
+            for (int row = 0; row < static_cast<int>(support.pattern.rows); ++row) {
+                add_head(support.pattern.head_height(row));
+            }
         }
         return distances;
     }

@@ -19,11 +19,12 @@ struct CriticalGeometry {
 // deg to the face. If the problem has no crack, the search adds none: only the plane is searched. If a closed form
 // gives the crack (a dry slope with level ground behind its crest, see critical.cpp), it is used. Otherwise both sides
 // of every position at which the factor of safety has a kink or a jump are evaluated (corners of the ground, line
-// loads, ends of surcharges, the pond's level, points of a piezometric line), with a scan of 12 points between any two
-// of them, followed by the root of the exact derivative: positions and factors of safety are accurate to rounding, if
-// the scan separates the minima. Beside a jump the crack is placed 1e-12 of the range away from it. Where no tensile
-// strength is given, the search lets the strength law bear tension: water that fills a crack near the face lifts the
-// sliver in front of it, and otherwise no other crack would be found. The geometry found is then analysed without.
+// loads, ends of surcharges, heads of bolts, the pond's level, points of a piezometric line), with a scan of 12 points
+// between any two of them, followed by the root of the exact derivative: positions and factors of safety are accurate
+// to rounding, if the scan separates the minima. Beside a jump the crack is placed 1e-12 of the range away from it.
+// Where no tensile strength is given, the search lets the strength law bear tension: water that fills a crack near the
+// face lifts the sliver in front of it, and otherwise no other crack would be found. The geometry found is then
+// analysed without.
 CriticalGeometry find_critical_geometry(const PlaneFailure<>& problem, const CriticalSearch<>& request);
 
 }  // namespace delabole

@@ -119,6 +119,28 @@ TEST(CriticalLoads, PlaneWithoutCrackAgainstBruteForce) {
     }
 }
 
+// A crack in the face just in front of a bolt's head leaves the bolt out of the mass.
+TEST(CriticalLoads, CrackInFrontOfABoltAgainstBruteForce) {
+    RandomProblem random(83);
+    for (int count = 0; count < 40; ++count) {
+        PlaneFailure<> problem = loaded_slope(random);
+        problem.slope.bench.reset();
+        problem.water = CrackAndBaseWater<>{9.81e3, FilledRatio<>{random.uniform(0.7, 1)}};
+        problem.bolt = {
+            {random.uniform(1e5, 1e6), degrees(random.uniform(-5, 30)), random.uniform(5, 11.5), BoltAction::active}};
+        const CriticalGeometry critical = find_critical_geometry(problem, crack_search);
+        ASSERT_EQ(critical.check, PlaneFailureCheck::valid);
+        const double head = (problem.bolt[0].head_height - 12) / std::tan(problem.slope.face_dip);
+        double least = std::numeric_limits<double>::infinity();
+        for (const double beside : {-1e-6, 1e-6}) {
+            problem.tension_crack->position = CrackAtDistance<>{head + beside};
+            const FactorOfSafety result = factor_of_safety(problem);
+            least = result.check == PlaneFailureCheck::valid ? std::min(least, result.value) : least;
+        }
+        EXPECT_LE(critical.factor_of_safety, least * (1 + 1e-6)) << count;  // as far from the jump as brute force is
+    }
+}
+
 // All lengths, cohesion and pressures times 8, line loads times 64: the same slope.
 TEST(CriticalLoads, Similarity) {
     RandomProblem random(79);
