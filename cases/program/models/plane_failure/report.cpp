@@ -94,8 +94,9 @@ std::string required_in_words(const PlaneFailure<>& problem, const RequiredValue
 
 // "The crack was searched for: it opens 13.4 m behind the crest." What was given in its place does not count.
 std::string searched_in_words(const CriticalSearch<>& search, const PlaneFailureResult& result) {
-    const std::string crack =
-        "opens " + value_in_words(result.crack_distance_behind_crest, Dimension::length) + " behind the crest";
+    const double behind = result.crack_distance_behind_crest;
+    const std::string crack = "opens " + value_in_words(std::abs(behind), Dimension::length) +
+                              (behind < 0 ? " in front of the crest" : " behind the crest");
     const std::string plane = "dips at " + value_in_words(result.plane_dip, Dimension::angle);
     const std::string where = search.under == SearchCondition::dry_slope ? " in the dry slope" : "";
     switch (search.find) {
