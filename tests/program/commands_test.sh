@@ -133,6 +133,9 @@ expect_silence err
 delabole check good.toml --set slope.height='40 km'
 expect_status 0
 expect_error 'good.toml: slope.height is 40000 m high: is that meant?'
+delabole check good.toml --set rock.unit_weight='26 N/m3'
+expect_status 0
+expect_error 'good.toml: rock.unit_weight is 0.026 kN/m3: is that meant?'
 
 title "check: what is nearly an output is asked about"
 { cat good.toml; printf '\n[[expect]]\nquantity = "factor_of_safty"\nvalue = 1\ntolerance = 0.1\n'; } >misspelt.toml

@@ -49,7 +49,7 @@ declare -A sub_rooms=(
 most_sources=25
 most_lines=500
 # What the rooms have grown to. A change that needs more lines first looks for what can go.
-declare -A most_lines_of_room=([lib]=36895 [fitting]=13741 [plots]=8054 [cases]=36341)
+declare -A most_lines_of_room=([lib]=36895 [fitting]=13741 [plots]=8054 [cases]=36351)
 forbidden_in_lib='^(iostream|fstream|ostream|istream|iomanip|cstdio|stdio\.h|filesystem|syncstream|print)$'
 
 broken=0

@@ -118,9 +118,19 @@ std::vector<std::string> questions_about(const CaseModel& model) {
             questions.push_back(key + " is " + value_in_words(height, Dimension::length) + " high: is that meant?");
         }
     };
+    // Rock and water lie well within these; units were mistaken by a thousand where a value does not.
+    constexpr Interval densities = within(100, 30e3);        // kg/m3
+    constexpr Interval unit_weights = within(0.9e3, 300e3);  // N/m3
+    bool asked_of_weight = false;
     for (const Quantity& input : named_inputs(model)) {
         if (input.name == "slope.height" || input.name == "scene.slope.height") {
             ask(input.name, input.value);
+        }
+        const bool is_odd = (input.dimension == Dimension::density && !densities.contains(input.value)) ||
+                            (input.dimension == Dimension::unit_weight && !unit_weights.contains(input.value));
+        if (is_odd && !std::exchange(asked_of_weight, true)) {
+            questions.push_back(input.name + " is " + value_in_words(input.value, input.dimension) +
+                                ": is that meant?");
         }
     }
     const auto* relaxation = std::get_if<RelaxationStudy>(&model);
