@@ -74,7 +74,7 @@ struct BoundedOutput {
     std::optional<std::size_t> at_most;   // of an output that is not 0 where the value is at most what is given
     std::optional<std::size_t> at_least;  // likewise where it is at least that
 
-    // Where the value lies, by a prediction that has not failed.
+    // The interval in which the value lies according to a prediction that has not failed.
     Interval range(const Prediction& prediction) const {
         const auto is_set = [&](const std::optional<std::size_t>& flag) {
             return flag && prediction.outputs[*flag] != 0;

@@ -22,9 +22,9 @@ struct CriticalGeometry {
 // loads, ends of surcharges, heads of bolts, the pond's level, points of a piezometric line), with a scan of 12 points
 // between any two of them, followed by the root of the exact derivative: positions and factors of safety are accurate
 // to rounding, if the scan separates the minima. Beside a jump the crack is placed 1e-12 of the range away from it.
-// Where no tensile strength is given, the search lets the strength law bear tension: water that fills a crack near the
-// face lifts the sliver in front of it, and otherwise no other crack would be found. The geometry found is then
-// analysed without.
+// If no tensile strength is given, the search lets the strength law bear tension. Water that fills a crack near the
+// face lifts the sliver in front of it, and the search would find no other crack. The geometry found is then analysed
+// without tensile strength.
 CriticalGeometry find_critical_geometry(const PlaneFailure<>& problem, const CriticalSearch<>& request);
 
 }  // namespace delabole

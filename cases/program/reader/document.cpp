@@ -261,7 +261,7 @@ std::string_view line_of(std::string_view text, int line) {
     return text.substr(0, text.find('\n'));
 }
 
-// What the writer of a line that is no TOML probably meant; the parser's words do not say it.
+// Names the mistake that is likely in a line that is no TOML, since the messages of the parser do not.
 std::string likely_mistake(std::string_view line) {
     line = line.substr(0, line.find('#'));
     const auto is_digit = [](char letter) { return letter >= '0' && letter <= '9'; };

@@ -45,7 +45,7 @@ PlanePoint<> value_at(const std::vector<TimedVector>& record, double time) {
     return before.value + share * (after->value - before.value);
 }
 
-// What is left of the pressures on an edge of this length where a part of it is uncovered.
+// Returns the parts of the pressures on an edge of this length that lie outside a part that is uncovered.
 std::vector<FacePressure> outside(const EdgePart& uncovered, const std::vector<FacePressure>& pressures,
                                   double length) {
     std::vector<FacePressure> left;

@@ -53,8 +53,8 @@ void PathLattice::set_water(const SteppedPath& path) {
     std::erase_if(bends, [](double x) { return !(x >= 0) || !std::isfinite(x); });
     std::ranges::sort(bends);
     bends.push_back(bends.back() + crest.y());
-    // Of bends as close as rounding the last stays: at a vertical face the surface rises between them, and its height
-    // behind the face counts.
+    // If bends differ by rounding alone, the last one is kept: at a vertical face the surface rises between them, and
+    // its height behind the face counts.
     for (const double x : bends) {
         if (!water_surface_.empty() && !(x > water_surface_.back().x() + tolerance_)) {
             water_surface_.pop_back();

@@ -92,7 +92,7 @@ TEST(Delabole1967, CriticalSlidingLeavesTheSurfaceObservedBehindAFlatterFace) {
     const MechanismFit& fit = mechanism("critical_sliding");
     ASSERT_EQ(fit.status, FitStatus::converged);
     EXPECT_EQ(fit.identifiability.rank, 3);
-    // Where the water stands high or friction is great, the mass lifts off: the data have it there no more.
+    // The mass lifts off under high water, and great friction would need such water: the data exclude both.
     EXPECT_EQ(data_alone(fit, "water.water_elevation").determination, Determination::bounded_above);
     EXPECT_EQ(data_alone(fit, "strength.friction_angle").determination, Determination::bounded_above);
     EXPECT_EQ(data_alone(fit, "slope.face_dip").determination, Determination::determined);

@@ -10,8 +10,8 @@
 
 namespace delabole {
 
-// With an ensemble that has means, these take the place of the numbers of the slope as drawn, of which words, tables
-// and figures are. Warnings tell which slopes the means leave out, or take at a bound.
+// The means of an ensemble take the place of the numbers of the slope as drawn; words, tables and figures remain those
+// of that slope. Warnings tell which slopes the means leave out, or take at a bound.
 void take_means(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, Analysis& analysis);
 
 // Why the ensemble has no means.

@@ -119,7 +119,7 @@ Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
 }
 
 HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
-    // What moves apart from the surface that is searched for, and before it.
+    // These mechanisms move before the surface that is searched for, and without it.
     struct Other {
         double factor;
         std::string where;

@@ -354,27 +354,26 @@ TEST(SteppedBase, TenThousandColumns) {
     EXPECT_EQ(result.column_count, 10000);
 }
 
-TEST(SteppedBase, OneColumnIsTheSingleBlock) {
+SteppedBase<> one_column(double joint_dip, double height, double width, double base_friction) {
     SteppedBase<> problem{};
-    problem.scene.columns = BlockColumns<>{degrees(70), {{3, 1, 0, std::nullopt}}};
+    problem.scene.columns = BlockColumns<>{joint_dip, {{height, width, 0, std::nullopt}}};
     problem.scene.rock.unit_weight = 25e3;
     problem.scene.water = Dry{};
     problem.joints.friction_angle = degrees(30);
-    problem.bases = {degrees(30), 0};
+    problem.bases = {base_friction, 0};
+    return problem;
+}
+
+TEST(SteppedBase, OneColumnIsTheSingleBlock) {
     // tan 20 deg > 1/3: it topples whatever its friction.
-    EXPECT_EQ(analyse(problem).limit, LimitState::fails_at_any_strength);
-    problem.scene.columns = BlockColumns<>{degrees(70), {{2, 1, 0, std::nullopt}}};
-    EXPECT_NEAR(analyse(problem).factor_of_safety, std::tan(degrees(30)) / std::tan(degrees(20)), 1e-14);
+    EXPECT_EQ(analyse(one_column(degrees(70), 3, 1, degrees(30))).limit, LimitState::fails_at_any_strength);
+    EXPECT_NEAR(analyse(one_column(degrees(70), 2, 1, degrees(30))).factor_of_safety,
+                std::tan(degrees(30)) / std::tan(degrees(20)), 1e-14);
 }
 
 // The block slides without it. Its lever, 6 m x cos 100 deg, turns the block outwards: 210 kN m/m of a reserve of 139.
 TEST(SteppedBase, ASteepCableThatOverturnsTheColumnHoldsItNot) {
-    SteppedBase<> problem{};
-    problem.scene.columns = BlockColumns<>{degrees(60), {{6, 4, 0, std::nullopt}}};
-    problem.scene.rock.unit_weight = 25e3;
-    problem.scene.water = Dry{};
-    problem.joints.friction_angle = degrees(30);
-    problem.bases = {degrees(25), 0};
+    const SteppedBase<> problem = one_column(degrees(60), 6, 4, degrees(25));
     EXPECT_EQ(required_cable(problem, {1, degrees(70), 6, 1}).state, CableState::cannot_hold);
     EXPECT_EQ(required_cable(problem, {1, degrees(20), 6, 1}).state, CableState::found);
 }
